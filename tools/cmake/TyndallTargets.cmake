@@ -1,0 +1,43 @@
+# tyndall_floor(NAME HEADERS ... SOURCES ... [LINK ...] [SHARED_LINK ...])
+#
+# One floor of the engine (docs/architecture.md): compiled on its own, linked into libtyndall. LINK is what only the floor's
+# sources include; SHARED_LINK is what its public headers include. HEADERS are the public ones: the target
+# `check_headers` compiles each alone.
+set(TYNDALL_HEADER_STUBS "" CACHE INTERNAL "")
+function(tyndall_floor NAME)
+  cmake_parse_arguments(FLOOR "" "" "HEADERS;SOURCES;LINK;SHARED_LINK" ${ARGN})
+  add_library(tyndall_${NAME} OBJECT ${FLOOR_SOURCES} ${FLOOR_HEADERS})
+  target_link_libraries(tyndall_${NAME} PRIVATE tyndall_options ${FLOOR_LINK} PUBLIC glm::glm fmt::fmt ${FLOOR_SHARED_LINK})
+  target_link_libraries(tyndall PRIVATE tyndall_${NAME} PUBLIC ${FLOOR_SHARED_LINK})
+  set(stubs ${TYNDALL_HEADER_STUBS})
+  foreach(header ${FLOOR_HEADERS})
+    set(stub ${CMAKE_BINARY_DIR}/header_stubs/${NAME}_${header}.cpp)
+    file(GENERATE OUTPUT ${stub} CONTENT "#include \"${NAME}/${header}\"\n#include \"${NAME}/${header}\"\n")
+    list(APPEND stubs ${stub})
+  endforeach()
+  set(TYNDALL_HEADER_STUBS ${stubs} CACHE INTERNAL "")
+endfunction()
+
+# tyndall_module(NAME SOURCES ... [LINK ...])
+#
+# A hot-loadable module: build/<preset>/modules/NAME.so. Hidden visibility and no unique symbols, so that dlclose really unloads it.
+function(tyndall_module NAME)
+  cmake_parse_arguments(MODULE "" "" "SOURCES;LINK" ${ARGN})
+  add_library(module_${NAME} MODULE ${MODULE_SOURCES})
+  set_target_properties(module_${NAME} PROPERTIES
+    PREFIX "" OUTPUT_NAME ${NAME} LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/modules
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_include_directories(module_${NAME} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(module_${NAME} PRIVATE tyndall_options tyndall ${MODULE_LINK})
+  set_property(GLOBAL APPEND PROPERTY TYNDALL_MODULES ${NAME})
+endfunction()
+
+# tyndall_test(NAME SOURCES ... [LINK ...])
+#
+# A GoogleTest program: build/<preset>/bin/NAME, one ctest entry. It runs from the project's root.
+function(tyndall_test NAME)
+  cmake_parse_arguments(TEST "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${NAME} ${TEST_SOURCES})
+  target_link_libraries(${NAME} PRIVATE tyndall_options tyndall GTest::gtest_main ${TEST_LINK})
+  add_test(NAME ${NAME} COMMAND ${NAME} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+endfunction()
