@@ -1,0 +1,66 @@
+#pragma once
+/// Where modules meet the frame: GLSL functions that programs call without knowing who provides them.
+///
+/// A provider names a GLSL file and a function in it. The seam makes the text "seams/NAME.glsl", which includes all
+/// providers and combines them; programs include that text, are rebuilt when providers change, and ask for the
+/// providers' data to be bound.
+///
+/// | seam                | text                            | function that programs call |
+/// |---------------------|---------------------------------|--------------------------------------------------------------------------|
+/// | shading_model       | seams/shading_model.glsl        | LightTerms shade(uint model, ShadingPoint s, LightSample
+/// l)              | | light_transmittance | seams/light_transmittance.glsl  | vec3 light_transmittance(uint light,
+/// vec3 p, vec3 n): product, 1 without | | indirect_light      | seams/indirect_light.glsl       | IndirectLight
+/// indirect_light(vec3 p, vec3 n, vec3 v, float roughness): sum | | media_segment       | seams/media_segment.glsl |
+/// MediaSegment media_segment(vec2 uv, vec3 p): front to back               | | sky                 | seams/sky.glsl |
+/// vec3 sky_radiance(vec3 direction): the last registered, black without    |
+///
+/// Provider functions have the same parameters and are called NAME_FUNCTION as given in `function`.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/shader_library.h"
+#include "render/frame_graph.h"
+
+namespace tyndall {
+
+enum class Seam { shading_model, light_transmittance, indirect_light, media_segment, sky };
+
+struct SeamProvider {
+    std::string
+        name;  ///< unique within its seam: "shadow_maps", "participating_media"; for shading models the model's name
+    std::string include;             ///< GLSL file: "participating_media/transmittance.glsl"
+    std::string function;            ///< the function in it that the seam calls
+    std::vector<std::string> reads;  ///< frame targets it needs: passes that use the seam then depend on them
+    /// Sets uniforms, textures and blocks of a program that includes the provider. May be empty. Called after
+    /// program.use().
+    std::function<void(const gpu::Program& program, PassContext& context)> bind;
+};
+
+/// All providers of a renderer.
+class Seams {
+ public:
+    explicit Seams(gpu::ShaderLibrary& shaders);
+    ~Seams();
+    /// Throws Error when the seam has a provider of that name.
+    void add(Seam seam, SeamProvider provider);
+    void remove(Seam seam, const std::string& name);
+    [[nodiscard]] std::vector<std::string> providers(Seam seam) const;
+    /// Number of a shading model for the G-buffer; unknown names give 0 ("standard").
+    [[nodiscard]] uint32_t shading_model(const std::string& name) const;
+
+    /// In Pass::declare: reads of all the seam's providers.
+    void declare(Seam seam, PassDeclaration& declaration) const;
+    /// In Pass::execute, after program.use().
+    void bind(Seam seam, const gpu::Program& program, PassContext& context) const;
+    /// Grows with every change: the renderer rebuilds its graph.
+    [[nodiscard]] uint64_t version() const;
+
+ private:
+    struct Implementation;
+    std::unique_ptr<Implementation> self_;
+};
+
+}  // namespace tyndall

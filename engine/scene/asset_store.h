@@ -1,0 +1,66 @@
+#pragma once
+/// Meshes, textures, materials and glTF files by name, loaded once, shared, reloaded when they change on disk.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/render_scene.h"
+
+namespace tyndall {
+
+class ColorConfig;
+
+/// What a texture is for decides its colour space and sampler defaults.
+enum class TextureUse { colour, data, probe };
+
+/// One node of an imported file: placement, and what hangs on it.
+struct GltfNode {
+    std::string name;
+    int parent = -1;
+    glm::mat4 local{1.0f};
+    struct Primitive {
+        std::shared_ptr<const MeshAsset> mesh;
+        std::shared_ptr<const Material> material;
+    };
+    std::vector<Primitive> primitives;
+    std::optional<Camera> camera;  ///< transform is the node's
+    std::optional<Light> light;    ///< transform is the node's
+};
+
+/// A glTF 2.0 file as the engine keeps it. Nodes come parents first.
+struct GltfAsset {
+    uint64_t id = 0;
+    std::string name;
+    std::vector<GltfNode> nodes;
+    std::vector<std::string> warnings;  ///< what the file has and the engine ignores
+};
+
+/// Loads and shares assets. Names are relative to the scene's folder, or to the project's assets/ with "assets:NAME".
+/// A name that leaves those folders is refused. Every load error is an Error that names the file.
+class AssetStore {
+ public:
+    /// `config` must outlive the store.
+    AssetStore(const ColorConfig& config, std::filesystem::path base);
+    ~AssetStore();
+    void set_base(std::filesystem::path base);
+    [[nodiscard]] std::filesystem::path resolve(std::string_view name) const;
+
+    [[nodiscard]] std::shared_ptr<const MeshAsset> mesh(std::string_view name);
+    [[nodiscard]] std::shared_ptr<const TextureAsset> texture(std::string_view name, TextureUse use);
+    [[nodiscard]] std::shared_ptr<const GltfAsset> gltf(std::string_view name);
+
+    /// Reloads what changed on disk since it was loaded; a broken file keeps the last good one and logs. True when
+    /// something changed.
+    bool reload_changed();
+    /// Frees what nobody but the store holds.
+    void collect();
+
+ private:
+    struct Implementation;
+    std::unique_ptr<Implementation> self_;
+};
+
+}  // namespace tyndall

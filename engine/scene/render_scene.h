@@ -1,0 +1,190 @@
+#pragma once
+/// The physical scene: what every solver reads (the two render paths, the modules' passes, the reference path tracer).
+///
+/// Plain structs in SI and photometric units, made from the World each frame by extractors, owned by nobody's
+/// technique. World space: metres, right-handed, +Y up. Cameras and lights look along their local -Z. Radiance is
+/// luminance-like: photometric (cd/m2) per channel of the scene-linear working space, since lights are given in cd and
+/// lux.
+
+#include <array>
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ecs/world.h"
+#include "geometry/mesh.h"
+#include "image/image.h"
+
+namespace tyndall {
+
+/// A triangle mesh that is loaded once and shared. `id` is unique in the process and changes when the content does.
+struct MeshAsset {
+    uint64_t id = 0;
+    std::string name;
+    Mesh mesh;
+};
+
+enum class TextureFilter { nearest, linear, trilinear };
+enum class TextureWrap { repeat, mirror, clamp };
+
+/// An image ready for the GPU and the path tracer, shared. `id` as for MeshAsset.
+struct TextureAsset {
+    uint64_t id = 0;
+    std::string name;
+    Image image;                ///< u8 or f32, 1..4 channels, top row first; f32 colours are in the working space
+    bool srgb_encoded = false;  ///< u8 colours that the sampler decodes with the sRGB curve into the working space
+    TextureFilter filter = TextureFilter::trilinear;
+    TextureWrap wrap_u = TextureWrap::repeat;
+    TextureWrap wrap_v = TextureWrap::repeat;
+};
+
+/// A texture as a material uses it.
+struct TextureSlot {
+    std::shared_ptr<const TextureAsset> texture;  ///< null = the factor alone
+    int uv_set = 0;                               ///< 0 or 1
+    glm::mat3 uv_transform{1.0f};                 ///< KHR_texture_transform
+};
+
+enum class AlphaMode { opaque, mask, blend };
+
+/// glTF 2.0 metallic-roughness with the extensions that the engine keeps.
+struct Material {
+    uint64_t id = 0;  ///< unique in the process; changes when the content does
+    std::string name;
+    std::string shading_model = "standard";  ///< provider of the shading-model seam
+    glm::vec4 base_colour{1.0f};
+    float metallic = 0.0f;
+    float roughness = 1.0f;  ///< perceptual; GGX alpha = roughness^2
+    float normal_scale = 1.0f;
+    float occlusion_strength = 1.0f;
+    glm::vec3 emissive{0.0f};  ///< cd/m2
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    float alpha_cutoff = 0.5f;
+    bool double_sided = false;
+    float ior = 1.5f;
+    float specular = 1.0f;  ///< KHR_materials_specular
+    glm::vec3 specular_colour{1.0f};
+    float transmission = 0.0f;  ///< KHR_materials_transmission, kept for refraction
+    float thickness_m = 0.0f;   ///< KHR_materials_volume
+    glm::vec3 attenuation_colour{1.0f};
+    float attenuation_distance_m = 0.0f;  ///< 0 = infinite
+    TextureSlot base_colour_texture, metallic_roughness_texture, normal_texture, occlusion_texture, emissive_texture;
+    TextureSlot specular_texture, specular_colour_texture, transmission_texture, thickness_texture;
+};
+
+/// What is inside a translucent object.
+struct ScatteringInterior {
+    glm::vec3 sigma_s_per_m{0.0f};
+    glm::vec3 sigma_a_per_m{0.0f};
+    float g = 0.0f;
+    float eta = 1.3f;
+};
+
+/// A mesh placed in the world.
+struct Surface {
+    std::shared_ptr<const MeshAsset> mesh;
+    std::shared_ptr<const Material> material;
+    glm::mat4 transform{1.0f};
+    glm::mat4 previous_transform{1.0f};
+    Bounds bounds;  ///< world space
+    bool casts_shadow = true;
+    std::optional<ScatteringInterior> interior;
+    Entity entity;
+};
+
+/// How a light wants to be shadowed.
+struct ShadowRequest {
+    bool enabled = false;
+    int size = 1024;        ///< texels on a side, per layer
+    int cascades = 3;       ///< directional only, 1..4
+    float distance_m = 60;  ///< directional only: cascades reach this far from the camera
+};
+
+enum class LightKind : uint32_t { point = 0, spot = 1, directional = 2 };
+/// How a spot's intensity falls between its inner and outer cone (physics/units.glsl).
+enum class SpotProfile : uint32_t { gltf = 0, smoothstep = 1 };
+
+struct Light {
+    LightKind kind = LightKind::point;
+    glm::mat4 transform{1.0f};    ///< rigid: columns right, up, back (-travel), position
+    glm::vec3 intensity{0.0f};    ///< colour times candela (point, spot) or lux (directional)
+    float inner_angle = 0.0f;     ///< spot: half angle in radians at which the falloff starts
+    float outer_angle = 0.7854f;  ///< spot: half angle in radians at which it ends
+    SpotProfile profile = SpotProfile::gltf;
+    float range_m = 0.0f;          ///< where a smooth window ends it; 0 = none: physically unbounded
+    float angular_radius = 0.0f;   ///< directional: half the source's angular diameter, radians
+    float source_radius_m = 0.0f;  ///< point, spot: size of the emitter, for soft shadows
+    std::shared_ptr<const TextureAsset>
+        gobo;                     ///< transmittance; spot: over the outer cone's square; directional: over gobo_size_m
+    glm::vec2 gobo_size_m{1.0f};  ///< directional: rectangle centred on the light's origin in its local XY plane
+    ShadowRequest shadow;
+    Entity entity;
+};
+
+/// Values are those of physics/phase.glsl.
+enum class PhaseKind : int32_t { isotropic = 0, henyey_greenstein = 1, schlick = 2 };
+
+enum class MediumShape : uint32_t { whole_scene = 0, box = 1 };
+
+/// A homogeneous participating medium. Overlapping media add.
+struct Medium {
+    MediumShape shape = MediumShape::box;
+    glm::mat4 transform{1.0f};  ///< the unit box [-1/2, 1/2]^3 to the world
+    glm::vec3 sigma_s_per_m{0.0f};
+    glm::vec3 sigma_a_per_m{0.0f};
+    PhaseKind phase = PhaseKind::isotropic;
+    glm::vec4 phase_parameters{0.0f};  ///< x = g
+    Entity entity;
+};
+
+/// Light from all around, as an equirectangular image: direction d, u = 0.5 + atan2(d.x, -d.z) / 2 pi, v = acos(d.y) /
+/// pi from the top.
+struct LightProbe {
+    std::shared_ptr<const TextureAsset> image;  ///< f32, radiance in the working space
+    float intensity = 1.0f;
+    glm::mat4 transform{1.0f};  ///< placement: turns the image, and centres the box
+    std::optional<glm::vec3>
+        extent_m;          ///< half extents of the box it lights and reflects (parallax); none = the whole scene
+    float blend_m = 1.0f;  ///< over this distance inside the box it fades to the next probe
+    Entity entity;
+};
+
+/// What lies behind everything.
+struct Sky {
+    std::shared_ptr<const TextureAsset> image;  ///< equirectangular as LightProbe; null = `radiance` alone
+    glm::vec3 radiance{0.0f};                   ///< cd/m2; multiplies the image when there is one
+    glm::mat3 rotation{1.0f};
+};
+
+struct Camera {
+    glm::mat4 transform{1.0f};      ///< rigid: columns right, up, back, position
+    float vertical_fov = 0.9f;      ///< radians
+    float near_m = 0.1f;            ///< reversed-Z, infinite far plane
+    float ev100 = 0.0f;             ///< exposure = 1 / (1.2 * 2^EV100)
+    std::optional<float> exposure;  ///< overrides ev100 with a plain factor (reference pictures: 1)
+    Entity entity;
+};
+
+/// One frame's worth of world.
+struct RenderScene {
+    Camera camera;
+    Sky sky;
+    std::vector<Surface> surfaces;
+    std::vector<Light> lights;
+    std::vector<Medium> media;
+    std::vector<LightProbe> probes;  ///< boxed ones first, smallest first
+    double time_s = 0.0;
+    uint64_t frame = 0;
+    bool camera_cut = false;  ///< history is dropped
+    /// Clears lists and keeps their memory.
+    void clear();
+};
+
+}  // namespace tyndall
