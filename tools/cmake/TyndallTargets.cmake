@@ -29,15 +29,23 @@ function(tyndall_module NAME)
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_include_directories(module_${NAME} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(module_${NAME} PRIVATE tyndall_options tyndall ${MODULE_LINK})
-  set_property(GLOBAL APPEND PROPERTY TYNDALL_MODULES ${NAME})
+  add_dependencies(play module_${NAME})
 endfunction()
 
-# tyndall_test(NAME SOURCES ... [LINK ...])
+# tyndall_test(NAME [SANITIZED] SOURCES ... [LINK ...] [MODULES ...])
 #
-# A GoogleTest program: build/<preset>/bin/NAME, one ctest entry. It runs from the project's root.
+# A GoogleTest program: build/<preset>/bin/NAME, one ctest entry, run from the project's root. SANITIZED: tools/test runs it under
+# AddressSanitizer too. MODULES are built first.
 function(tyndall_test NAME)
-  cmake_parse_arguments(TEST "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(TEST "SANITIZED" "" "SOURCES;LINK;MODULES" ${ARGN})
   add_executable(${NAME} ${TEST_SOURCES})
   target_link_libraries(${NAME} PRIVATE tyndall_options tyndall GTest::gtest_main ${TEST_LINK})
   add_test(NAME ${NAME} COMMAND ${NAME} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  foreach(module ${TEST_MODULES})
+    add_dependencies(${NAME} module_${module})
+  endforeach()
+  if(TEST_SANITIZED)
+    set_tests_properties(${NAME} PROPERTIES LABELS sanitized)
+    add_dependencies(sanitized ${NAME})
+  endif()
 endfunction()
