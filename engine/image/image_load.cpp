@@ -1,0 +1,161 @@
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <memory>
+
+#include "core/error.h"
+#include "core/paths.h"
+#include "image/image_io.h"
+
+namespace tyndall {
+namespace {
+
+constexpr std::string_view kKnownFormats = "PNG, JPEG, OpenEXR, Radiance HDR, TIFF, Targa, BMP or WebP";
+
+[[noreturn]] void fail(std::string_view name, std::string message, std::string expected = {}) {
+    throw Error(Diagnostic{{std::string(name)}, std::move(message), std::move(expected), {}});
+}
+
+bool has_extension(std::string_view name, std::string_view extension) {
+    return name.size() > extension.size() &&
+           std::ranges::equal(name.substr(name.size() - extension.size()), extension,
+                              [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
+}
+
+/// OpenImageIO's name of the format, told from the first bytes, so that only readers that we trust ever see a file.
+std::string format_of(std::string_view head, std::string_view name) {
+    using namespace std::string_view_literals;
+    constexpr std::pair<std::string_view, const char*> kMagic[] = {
+        {"\x89PNG"sv, "png"},     {"\xff\xd8\xff"sv, "jpeg"}, {"\x76\x2f\x31\x01"sv, "openexr"},
+        {"#?RADIANCE"sv, "hdr"},  {"#?RGBE"sv, "hdr"},        {"II\x2a\x00"sv, "tiff"},
+        {"MM\x00\x2a"sv, "tiff"}, {"II\x2b\x00"sv, "tiff"},   {"MM\x00\x2b"sv, "tiff"},
+        {"BM"sv, "bmp"}};
+    for (const auto& [magic, format] : kMagic)
+        if (head.starts_with(magic)) return format;
+    if (head.starts_with("RIFF") && head.substr(std::min<size_t>(8, head.size())).starts_with("WEBP")) return "webp";
+    if (has_extension(name, ".tga") && head.size() >= 18) return "targa";  // Targa has no mark of its own
+    fail(name, head.empty() ? "the file is empty" : "not a picture of a known kind", std::string(kKnownFormats));
+}
+
+/// libjpeg pads a truncated file with grey and calls it read; we ask for the end mark after the first scan.
+void check_jpeg_end(std::string_view content, std::string_view name) {
+    for (size_t at = 2; at + 4 <= content.size() && content[at] == '\xff';) {
+        const auto byte = [&](size_t i) { return static_cast<size_t>(static_cast<unsigned char>(content[at + i])); };
+        if (byte(1) == 0xda && content.find("\xff\xd9", at) != std::string_view::npos) return;
+        at += byte(1) == 0xff ? 1 : 2 + byte(2) * 256 + byte(3);
+    }
+    fail(name, "the JPEG is truncated or corrupt: it has no end mark");
+}
+
+Image::Type type_of(const OIIO::TypeDesc& format) {
+    if (format == OIIO::TypeUInt8) return Image::Type::u8;
+    if (format == OIIO::TypeUInt16) return Image::Type::u16;
+    return Image::Type::f32;
+}
+
+OIIO::TypeDesc oiio_type(Image::Type type) {
+    return type == Image::Type::u8 ? OIIO::TypeUInt8 : type == Image::Type::u16 ? OIIO::TypeUInt16 : OIIO::TypeFloat;
+}
+
+/// An opened picture; `proxy` is read from while it lives.
+struct Reader {
+    std::string name;
+    std::unique_ptr<OIIO::Filesystem::IOMemReader> proxy;
+    std::unique_ptr<OIIO::ImageInput> input;
+
+    Reader(std::string_view content, std::string_view picture_name) : name(picture_name) {
+        const std::string format = format_of(content, name);
+        if (format == "jpeg") check_jpeg_end(content, name);
+        input = OIIO::ImageInput::create(format);
+        if (!input) fail(name, "OpenImageIO was built without " + format + ": " + OIIO::geterror());
+        if (!input->supports("ioproxy")) fail(name, format + " pictures can be read from files only");
+        proxy = std::make_unique<OIIO::Filesystem::IOMemReader>(const_cast<char*>(content.data()), content.size());
+        input->set_ioproxy(proxy.get());
+        open("in memory." + format);
+    }
+
+    Reader(const std::filesystem::path& file, std::string_view format) : name(file.string()) {
+        input = OIIO::ImageInput::create(std::string(format));
+        if (!input) fail(name, "OpenImageIO was built without " + std::string(format) + ": " + OIIO::geterror());
+        open(name);
+    }
+
+    [[nodiscard]] const OIIO::ImageSpec& spec() const { return input->spec(); }
+
+    /// Allocates nothing before the header is known to be sane.
+    Image read() {
+        Image image(spec().width, spec().height, spec().nchannels, type_of(spec().format));
+        if (!input->read_image(0, 0, 0, image.channels, oiio_type(image.type), image.pixels.data()) ||
+            input->has_error())
+            fail(name, "the picture is truncated or corrupt: " + reason());
+        return image;
+    }
+
+ private:
+    std::string reason() const {
+        const std::string text = input->geterror();
+        return text.empty() ? "no reason given" : text;
+    }
+
+    void open(const std::string& as) {
+        OIIO::ImageSpec hints;
+        hints.attribute("oiio:UnassociatedAlpha", 1);  // the file's own numbers, alpha not multiplied in
+        OIIO::ImageSpec opened;
+        if (!input->open(as, opened, hints)) fail(name, "cannot be read: " + reason());
+        if (opened.deep) fail(name, "deep pictures are not read", "one value a channel");
+        if (opened.depth > 1) fail(name, "volume pictures are not read", "one slice");
+    }
+};
+
+/// OpenImageIO and the libraries below it report by return value and by exception; both become Errors that name the
+/// file.
+template <class Work>
+auto guarded(std::string_view name, Work&& work) {
+    try {
+        return work();
+    } catch (const Error& error) {
+        if (!error.diagnostics().front().where.file.empty()) throw;
+        throw Error(error).within(std::string(name));
+    } catch (const std::exception& error) {
+        fail(name, std::string("cannot be read: ") + error.what());
+    }
+}
+
+/// Opens a file by the kind that its first bytes tell.
+Reader open_file(const std::filesystem::path& file, bool whole) {
+    const std::string head = [&] {
+        if (!std::filesystem::exists(file)) fail(file.string(), "no such file");
+        if (!std::filesystem::is_regular_file(file)) fail(file.string(), "not a file");
+        std::ifstream in(file, std::ios::binary);
+        std::string bytes(64, '\0');
+        in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        bytes.resize(static_cast<size_t>(in.gcount()));
+        return bytes;
+    }();
+    const std::string format = format_of(head, file.string());
+    if (whole && format == "jpeg") check_jpeg_end(paths::read_file(file), file.string());
+    return {file, format};
+}
+
+}  // namespace
+
+Image load_image(const std::filesystem::path& file) {
+    return guarded(file.string(), [&] { return open_file(file, true).read(); });
+}
+
+Image load_image(std::span<const std::byte> content, std::string_view name) {
+    const std::string_view text(reinterpret_cast<const char*>(content.data()), content.size());
+    return guarded(name, [&] { return Reader(text, name).read(); });
+}
+
+ImageSize load_image_size(const std::filesystem::path& file) {
+    return guarded(file.string(), [&] {
+        const Reader reader = open_file(file, false);
+        return ImageSize{reader.spec().width, reader.spec().height, reader.spec().nchannels};
+    });
+}
+
+}  // namespace tyndall
