@@ -1,0 +1,66 @@
+#pragma once
+/// Meshes, textures and materials on the GPU, and drawing a RenderScene's surfaces with them.
+///
+/// Uploads happen on first use, keyed by the assets' ids, and are freed when unused for a while. Surfaces that share
+/// mesh and material are drawn as instances of one call.
+
+#include <glm/mat4x4.hpp>
+#include <memory>
+
+#include "gpu/gpu.h"
+#include "gpu/shader_library.h"
+#include "scene/render_scene.h"
+
+namespace tyndall {
+
+class Seams;
+
+/// Which surfaces to draw, and from where.
+struct DrawView {
+    glm::mat4 clip_from_world{1.0f};  ///< surfaces outside its side and far planes are left out
+    glm::vec3 eye{0.0f};              ///< nearest surfaces come first
+    bool casters_only = false;        ///< leaves out those that cast no shadow
+};
+
+/// Programs of one way to draw surfaces; both use the vertex shader "render/shaders/surface.vert", the masked one with
+/// ALPHA_MASK defined: it samples and tests the alpha.
+struct SurfacePrograms {
+    const gpu::Program& opaque;
+    const gpu::Program& masked;
+};
+
+/// A frame's surfaces on the GPU.
+class GpuScene {
+ public:
+    explicit GpuScene(gpu::ShaderLibrary& shaders);
+    ~GpuScene();
+    GpuScene(const GpuScene&) = delete;
+    GpuScene& operator=(const GpuScene&) = delete;
+
+    /// Once a frame, before drawing: uploads what is new, fills the blocks "Surfaces" and "Materials", frees what has
+    /// been unused for some frames. `seams` numbers the shading models.
+    void update(const RenderScene& scene, const Seams& seams);
+
+    /// Draws into the bound framebuffer with the depth state as it is. Sets the programs' `clip_from_world`, blocks and
+    /// material textures; other uniforms must have been set. Culls back faces but for double-sided materials. Returns
+    /// the triangles drawn.
+    size_t draw(const DrawView& view, const SurfacePrograms& programs);
+    /// Fills the bound depth target alone (shadow maps, prepasses).
+    size_t draw_depth(const DrawView& view);
+
+    /// Changes when what `draw_depth` with `casters_only` would draw in this view changes: a cached shadow map is good
+    /// as long as this and its matrix stay the same.
+    [[nodiscard]] uint64_t casters_hash(const glm::mat4& clip_from_world) const;
+
+    /// The asset as a texture, rows as they are: v = 0 is the image's top, as in glTF.
+    [[nodiscard]] const gpu::Texture& texture(const std::shared_ptr<const TextureAsset>& asset);
+
+    /// Triangles drawn since the last update, all passes together.
+    [[nodiscard]] size_t triangles_drawn() const;
+
+ private:
+    struct Implementation;
+    std::unique_ptr<Implementation> self_;
+};
+
+}  // namespace tyndall
