@@ -1,0 +1,231 @@
+#include "module/module_manager.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "core/log.h"
+#include "render/renderer.h"
+
+namespace tyndall {
+namespace fs = std::filesystem;
+namespace {
+
+std::vector<std::string> split(std::string_view list) {
+    std::vector<std::string> parts;
+    std::istringstream in{std::string(list)};
+    for (std::string part; std::getline(in, part, ',');) {
+        part.erase(0, part.find_first_not_of(' '));
+        part.erase(part.find_last_not_of(' ') + 1);
+        if (!part.empty()) parts.push_back(part);
+    }
+    return parts;
+}
+
+fs::file_time_type written(const fs::path& file) {
+    std::error_code failed;
+    const auto time = fs::last_write_time(file, failed);
+    return failed ? fs::file_time_type{} : time;
+}
+
+}  // namespace
+
+const char* abi_tag() {
+    return TYNDALL_ABI_TAG;
+}
+
+std::string_view name_of(ModuleState state) {
+    switch (state) {
+        case ModuleState::available:
+            return "available";
+        case ModuleState::not_found:
+            return "not found";
+        case ModuleState::wrong_interface:
+            return "wrong interface";
+        case ModuleState::unresolved_dependency:
+            return "unresolved dependency";
+        case ModuleState::failed:
+            return "failed";
+        case ModuleState::loaded:
+            return "loaded";
+        case ModuleState::outdated:
+            return "outdated";
+    }
+    return "";
+}
+
+ModuleManager::ModuleManager(ModuleHost host, fs::path folder, fs::path sources)
+    : host_(std::move(host)), folder_(std::move(folder)), sources_(std::move(sources)) {}
+
+ModuleManager::~ModuleManager() {
+    while (!order_.empty()) unload(order_.back());
+}
+
+bool ModuleManager::load(const std::string& name) {
+    if (loaded(name)) return true;
+    ModuleState state = ModuleState::not_found;
+    loading_.push_back(name);
+    try {
+        check_name(name);
+        state = ModuleState::wrong_interface;
+        const auto time = written(file(name));
+        auto library = std::make_unique<ModuleLibrary>(file(name), name);
+        check_dependencies(*library, state);
+        state = ModuleState::failed;
+        auto registration = install(*library);
+        Entry& entry = modules_[name];
+        entry.library = std::move(library);
+        entry.registration = std::move(registration);
+        entry.kept.restore(host_, *entry.registration);
+        entry.state = ModuleState::loaded;
+        entry.problem.clear();
+        entry.time = time;
+        order_.push_back(name);
+        loading_.pop_back();
+        return true;
+    } catch (const std::exception& error) {
+        loading_.pop_back();
+        return fail(name, state, error);
+    }
+}
+
+bool ModuleManager::reload(const std::string& name) {
+    if (!loaded(name)) return load(name);
+    Entry& entry = modules_[name];
+    entry.time = written(file(name));
+    try {
+        ModuleState state = ModuleState::wrong_interface;
+        auto next = std::make_unique<ModuleLibrary>(file(name), name);
+        check_dependencies(*next, state);
+        entry.kept.save(host_, *entry.registration);
+        entry.registration.reset();
+        try {
+            entry.registration = install(*next);
+            std::swap(entry.library, next);
+        } catch (Error& error) {
+            entry.registration = install(*entry.library);
+            entry.kept.restore(host_, *entry.registration);
+            throw error;
+        }
+        entry.kept.restore(host_, *entry.registration);
+        entry.state = ModuleState::loaded;
+        entry.problem.clear();
+        log::info("module {} reloaded", name);
+        return true;
+    } catch (const std::exception& error) {
+        return fail(name, ModuleState::outdated, error);
+    }
+}
+
+void ModuleManager::unload(const std::string& name) {
+    const auto place = std::find(order_.begin(), order_.end(), name);
+    if (place == order_.end()) return;
+    const std::vector<std::string> later(place + 1, order_.end());
+    for (auto other = later.rbegin(); other != later.rend(); ++other) {
+        if (!loaded(*other)) continue;
+        const auto depends = split(modules_[*other].library->info().depends);
+        if (std::find(depends.begin(), depends.end(), name) != depends.end()) unload(*other);
+    }
+    Entry& entry = modules_[name];
+    entry.kept.save(host_, *entry.registration);
+    entry.registration.reset();
+    if (host_.renderer) host_.renderer->shaders().remove_folder(name);
+    entry.library.reset();
+    entry.state = ModuleState::available;
+    std::erase(order_, name);
+}
+
+std::vector<std::string> ModuleManager::reload_changed() {
+    std::vector<std::string> changed;
+    for (const std::string& name : std::vector<std::string>(order_)) {
+        const auto time = written(file(name));
+        if (time == fs::file_time_type{} || time == modules_[name].time) continue;
+        reload(name);
+        changed.push_back(name);
+    }
+    return changed;
+}
+
+bool ModuleManager::loaded(std::string_view name) const {
+    const auto entry = modules_.find(std::string(name));
+    return entry != modules_.end() && entry->second.registration != nullptr;
+}
+
+std::vector<ModuleReport> ModuleManager::reports() const {
+    std::map<std::string, ModuleReport> all;
+    for (const std::string& name : available()) all[name].name = name;
+    for (const auto& [name, entry] : modules_) {
+        ModuleReport& report = all[name];
+        report.name = name;
+        report.state = entry.state;
+        report.problem = entry.problem;
+        if (!entry.registration) continue;
+        const ModuleInfo& info = entry.library->info();
+        report.version = info.version;
+        report.summary = info.summary;
+        report.depends = split(info.depends);
+        report.components = entry.registration->components();
+        report.settings = entry.registration->settings_names();
+        report.passes = entry.registration->passes();
+        report.seams = entry.registration->seams();
+    }
+    std::vector<ModuleReport> list;
+    for (auto& [name, report] : all) list.push_back(std::move(report));
+    return list;
+}
+
+std::vector<std::string> ModuleManager::available() const {
+    std::vector<std::string> names;
+    std::error_code failed;
+    for (const auto& entry : fs::directory_iterator(folder_, failed))
+        if (entry.path().extension() == ".so") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+fs::path ModuleManager::file(const std::string& name) const {
+    return folder_ / (name + ".so");
+}
+
+void ModuleManager::check_name(const std::string& name) const {
+    const bool plain =
+        !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+    if (!plain) throw Error("'" + name + "' is no module name (expected lower-case letters, digits and underscores)");
+    if (!fs::is_regular_file(file(name)))
+        throw Error(Diagnostic{{},
+                               "there is no module '" + name + "'",
+                               "a module of " + folder_.string(),
+                               nearest_name(name, available())});
+}
+
+void ModuleManager::check_dependencies(const ModuleLibrary& library, ModuleState& state) {
+    for (const std::string& needed : split(library.info().depends)) {
+        if (std::find(loading_.begin(), loading_.end(), needed) != loading_.end()) {
+            state = ModuleState::unresolved_dependency;
+            throw Error("modules depend on each other in a circle through '" + needed + "'");
+        }
+        if (!load(needed)) {
+            state = ModuleState::unresolved_dependency;
+            throw Error("it needs the module '" + needed + "', which cannot be loaded");
+        }
+    }
+}
+
+std::unique_ptr<Registration> ModuleManager::install(ModuleLibrary& library) {
+    const std::string name = library.info().name;
+    if (host_.renderer) host_.renderer->shaders().add_folder(name, sources_ / name / "shaders");
+    auto registration = std::make_unique<Registration>(host_, name);
+    guard_module_call("install", [&] { library.module().install(*registration); });
+    return registration;
+}
+
+bool ModuleManager::fail(const std::string& name, ModuleState state, const std::exception& error) {
+    Entry& entry = modules_[name];
+    entry.state = state;
+    entry.problem = error.what();
+    log::error("module {}: {}{}", name, error.what(),
+               state == ModuleState::outdated ? " (the last good build runs on)" : "");
+    return false;
+}
+
+}  // namespace tyndall

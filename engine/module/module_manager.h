@@ -1,0 +1,83 @@
+#pragma once
+/// Loads, reloads and unloads modules by name, from the module folder only.
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "module/kept_state.h"
+#include "module/library.h"
+#include "module/registration.h"
+
+namespace tyndall {
+
+enum class ModuleState {
+    available,  ///< there, not loaded
+    not_found,
+    wrong_interface,  ///< not a module, or built against another engine
+    unresolved_dependency,
+    failed,  ///< its constructor or install threw
+    loaded,
+    outdated,  ///< loaded, but a newer build could not take over: `problem` says why
+};
+[[nodiscard]] std::string_view name_of(ModuleState state);
+
+/// What `tyndall modules` shows.
+struct ModuleReport {
+    std::string name;
+    ModuleState state = ModuleState::available;
+    std::string version, summary, problem;
+    std::vector<std::string> depends, components, settings, passes, seams;
+};
+
+/// The modules of a program. A module that cannot be loaded is reported and left out; the program goes on.
+class ModuleManager {
+ public:
+    /// `folder` holds NAME.so; `sources` holds NAME/shaders. The host must outlive the manager.
+    ModuleManager(ModuleHost host, std::filesystem::path folder, std::filesystem::path sources);
+    ~ModuleManager();
+
+    /// Loads a module and what it depends on. Returns false, and logs and keeps the reason, when that fails.
+    bool load(const std::string& name);
+    /// Loads the newest build of a loaded module in its place, with all that users authored. Returns false when the new
+    /// one is broken: then the old one runs on and its report says why.
+    bool reload(const std::string& name);
+    /// Unloads it and those that depend on it; their components are kept for a later load.
+    void unload(const std::string& name);
+    /// Reloads the modules whose file changed since they were loaded. Returns their names.
+    std::vector<std::string> reload_changed();
+    /// Drops module passes' and seams' ties when the renderer goes, and sets them again when one comes.
+    [[nodiscard]] bool loaded(std::string_view name) const;
+
+    /// All modules: those in the folder and those asked for.
+    [[nodiscard]] std::vector<ModuleReport> reports() const;
+    /// Names of the module folder.
+    [[nodiscard]] std::vector<std::string> available() const;
+
+ private:
+    struct Entry {
+        std::unique_ptr<ModuleLibrary> library;  // outlives what it registered
+        std::unique_ptr<Registration> registration;
+        KeptState kept;
+        ModuleState state = ModuleState::available;
+        std::string problem;
+        std::filesystem::file_time_type time{};
+    };
+    [[nodiscard]] std::filesystem::path file(const std::string& name) const;
+    void check_name(const std::string& name) const;
+    void check_dependencies(const ModuleLibrary& library, ModuleState& state);
+    [[nodiscard]] std::unique_ptr<Registration> install(ModuleLibrary& library);
+    bool fail(const std::string& name, ModuleState state, const std::exception& error);
+
+    ModuleHost host_;
+    std::filesystem::path folder_, sources_;
+    std::map<std::string, Entry> modules_;
+    std::vector<std::string> order_;    // of loading: dependants come later
+    std::vector<std::string> loading_;  // guards against circles
+};
+
+}  // namespace tyndall

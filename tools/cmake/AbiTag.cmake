@@ -1,0 +1,11 @@
+# cmake -DROOT=engine -DOUT=tyndall_abi_tag.h -P AbiTag.cmake: writes the digest of all engine headers, only when it changed.
+file(GLOB_RECURSE headers ${ROOT}/*.h)
+list(SORT headers)
+set(all "")
+foreach(header ${headers})
+  file(SHA256 ${header} digest)
+  string(APPEND all ${digest})
+endforeach()
+string(SHA256 tag "${all}")
+string(SUBSTRING ${tag} 0 16 tag)
+file(CONFIGURE OUTPUT ${OUT} CONTENT "#define TYNDALL_ABI_TAG \"${tag}\"\n")
