@@ -22,7 +22,7 @@ fs::path find_root() {
     std::error_code ignored;
     for (const fs::path& start : {fs::read_symlink("/proc/self/exe", ignored).parent_path(), fs::current_path()})
         for (fs::path folder = start; folder.has_relative_path(); folder = folder.parent_path())
-            if (fs::is_directory(folder / "engine" / "physics") && fs::is_directory(folder / "config")) return folder;
+            if (fs::is_directory(folder / "engine" / "core") && fs::is_directory(folder / "config")) return folder;
     throw Error("the project's folders engine/ and config/ were not found above the program; set TYNDALL_ROOT");
 }
 

@@ -12,9 +12,22 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tyndall::gpu {
+
+/// What of GL is alive: for `tyndall info` and for tests that nothing leaks.
+struct Alive {
+    size_t texture_bytes = 0;  ///< texels of all mips and layers; drivers add padding
+    size_t buffer_bytes = 0;
+    int textures = 0;
+    int buffers = 0;
+    int framebuffers = 0;
+    int programs = 0;
+    bool operator==(const Alive&) const = default;
+};
+[[nodiscard]] Alive alive();
 
 /// Texel formats. Channels in name order; `f` float, `ui` unsigned integer, otherwise unsigned normalised.
 enum class Format {
@@ -65,10 +78,18 @@ class Buffer : public Handle {
     template <class T>
     Buffer(std::span<const T> data, std::string_view label) : Buffer(data.size_bytes(), data.data(), label) {}
     ~Buffer();
-    Buffer(Buffer&&) noexcept = default;
-    Buffer& operator=(Buffer&&) noexcept = default;
+    Buffer(Buffer&& other) noexcept : Handle(std::move(other)), size_(std::exchange(other.size_, 0)) {}
+    Buffer& operator=(Buffer&& other) noexcept {
+        Handle::operator=(std::move(other));
+        std::swap(size_, other.size_);
+        return *this;
+    }
+    /// In bytes.
     [[nodiscard]] size_t size() const { return size_; }
+    /// Replaces a part; it must lie inside.
     void update(size_t offset, size_t bytes, const void* data);
+    /// Copies a part back, waiting for the GPU.
+    void read(size_t offset, size_t bytes, void* data) const;
 
  private:
     size_t size_ = 0;
@@ -86,19 +107,29 @@ struct TextureDesc {
     bool operator==(const TextureDesc&) const = default;
 };
 
+/// Texels on the GPU, of immutable size and format; contents are undefined until written.
 class Texture : public Handle {
  public:
     Texture() = default;
+    /// Throws Error when the size is not positive or beyond what the driver offers.
     Texture(const TextureDesc& desc, std::string_view label);
     ~Texture();
     Texture(Texture&&) noexcept = default;
-    Texture& operator=(Texture&&) noexcept = default;
+    Texture& operator=(Texture&& other) noexcept {
+        Handle::operator=(std::move(other));
+        std::swap(desc_, other.desc_);
+        return *this;
+    }
+    /// As asked for, with `mips` resolved.
     [[nodiscard]] const TextureDesc& desc() const { return desc_; }
     /// One whole layer (face, slice) of one mip, tightly packed texels of `format()`; 8/16/32 bits a channel as the
     /// format has.
     void upload(int mip, int layer, const void* texels);
     void generate_mips();
-    /// Reads one layer of one mip back as 4 floats a texel (missing channels 0, alpha 1; depth in x), bottom row first.
+    /// Every texel of one mip; depth and integer formats take `value.x`.
+    void clear(int mip, glm::vec4 value);
+    /// Reads one layer of one mip back as 4 floats a texel (missing channels 0, alpha 1; depth and integers in x; sRGB
+    /// as stored, not decoded), bottom row first. Waits for the GPU.
     [[nodiscard]] std::vector<glm::vec4> read(int mip = 0, int layer = 0) const;
 
  private:
@@ -115,19 +146,30 @@ struct SamplerDesc {
     float anisotropy = 1.0f;
     bool operator==(const SamplerDesc&) const = default;
 };
-/// The shared sampler object of that description; lives as long as the context's library.
+/// The shared sampler object of that description; lives until release_samplers().
 [[nodiscard]] unsigned int sampler(const SamplerDesc& desc);
-/// Deletes the shared samplers; called by the platform before the context goes.
+/// Deletes the shared samplers and draw_fullscreen's vertex array; they come back when needed. A ShaderLibrary does it
+/// when it goes; without one, call it before the context goes.
 void release_samplers();
 
 /// A linked program. Setting a uniform that the program does not have is silently allowed: optimisers remove them.
+///
+/// Uniforms keep their values between draws until the program is rebuilt (reload), so set all of them each frame;
+/// textures, images and blocks are bound at once, for the next draw or dispatch, before or after use(). Units and
+/// bindings are assigned here, in the linker's order: a `layout(binding = N)` in the shader is ignored. Elements of
+/// arrays are named as in GLSL ("maps[2]"; "maps" is the first).
 class Program : public Handle {
  public:
     Program() = default;
+    /// Takes over a linked GL program. Throws Error when it uses more units than the driver has.
     explicit Program(unsigned int linked);
     ~Program();
     Program(Program&&) noexcept = default;
-    Program& operator=(Program&&) noexcept = default;
+    Program& operator=(Program&& other) noexcept {
+        Handle::operator=(std::move(other));
+        std::swap(slots_, other.slots_);
+        return *this;
+    }
 
     void use() const;
     void set(std::string_view uniform, int value) const;
@@ -158,7 +200,10 @@ class Program : public Handle {
         int unit = -1;  ///< texture unit, image unit or block binding
         enum class Kind { value, sampler, image, uniform_block, storage_block } kind = Kind::value;
     };
-    [[nodiscard]] const Slot* find(std::string_view name) const;
+    void reflect_uniforms();
+    void reflect_blocks(unsigned int interface, Slot::Kind kind);
+    [[nodiscard]] const Slot* find(std::string_view name, Slot::Kind kind) const;
+    [[nodiscard]] int location(std::string_view name) const;
     std::vector<Slot> slots_;  // sorted by name
 };
 
@@ -171,12 +216,21 @@ class Framebuffer : public Handle {
         int layer = -1;  ///< -1 = all layers (layered rendering) or the flat image
     };
     Framebuffer() = default;
+    /// At least one attachment; all of one size. Throws Error when the driver refuses the combination.
     Framebuffer(std::span<const Attachment> colours, const Attachment& depth, std::string_view label);
     ~Framebuffer();
     Framebuffer(Framebuffer&&) noexcept = default;
-    Framebuffer& operator=(Framebuffer&&) noexcept = default;
+    Framebuffer& operator=(Framebuffer&& other) noexcept {
+        Handle::operator=(std::move(other));
+        std::swap(size_, other.size_);
+        return *this;
+    }
     /// Binds it and sets the viewport to the attachments' size.
     void bind() const;
+    /// Colour attachment `index`; write masks and scissor apply.
+    void clear_colour(int index, glm::vec4 value) const;
+    /// Reversed-Z: 0 is far away. The depth write mask applies.
+    void clear_depth(float value = 0.0f) const;
     [[nodiscard]] glm::ivec2 size() const { return size_; }
 
  private:
@@ -184,28 +238,32 @@ class Framebuffer : public Handle {
 };
 
 /// Time between begin and end, in milliseconds: timer queries on a GPU (a few frames late, without a stall), glFinish
-/// and the CPU clock on llvmpipe, whose timer queries lie (docs/performance.md).
+/// and the CPU clock on software renderers, whose timer queries lie (docs/performance.md). Timers may nest.
 class Timer {
  public:
     Timer() = default;
     ~Timer();
-    Timer(Timer&&) noexcept = default;
-    Timer& operator=(Timer&&) noexcept = default;
+    Timer(Timer&& other) noexcept { *this = std::move(other); }
+    Timer& operator=(Timer&& other) noexcept;
     void begin();
     void end();
-    /// The newest finished measurement, or a negative number.
+    /// The newest finished measurement, or a negative number. Never waits.
     [[nodiscard]] double milliseconds();
     /// "GL timer queries" or "glFinish and CPU clock".
     [[nodiscard]] static std::string_view method();
 
  private:
-    std::vector<unsigned int> queries_;
-    size_t next_ = 0;
+    void collect();
+    std::vector<unsigned int> queries_;  // a ring of begin and end time stamps
+    size_t begun_ = 0;                   // measurements since the start ...
+    size_t read_ = 0;                    // ... and how many of them were read back
+    bool running_ = false;               // false when the ring was full at begin()
     double start_ = 0.0;
     double last_ = -1.0;
 };
 
-/// A triangle that covers the target, without vertex buffers: vertex shader "gpu/fullscreen.vert" gives `vec2 uv`.
+/// A triangle that covers the target, without vertex buffers: vertex shader "gpu/shaders/fullscreen.vert" gives `vec2
+/// uv`.
 void draw_fullscreen();
 
 }  // namespace tyndall::gpu

@@ -24,9 +24,11 @@ struct ProgramDesc {
 
 /// Finds, assembles, compiles and keeps programs.
 ///
-/// `#include "physics/phase.glsl"` is resolved in the library's folders, once per program (include guards are not
-/// needed). Every shader gets `#version 450 core`, `#define FN`, `#define OUT(T) out T`, `#define INOUT(T) inout T` and
-/// the defines in front. A generated text (`set_text`) is included like a file and shadows one.
+/// `#include "physics/phase.glsl"` is resolved in the library's folders (engine/ and those added), once per stage
+/// (include guards are not needed), wherever it stands: an #include below an #if is read either way. Every shader gets
+/// `#version 450 core`, `#define FN`, `#define OUT(T) out T`, `#define INOUT(T) inout T` and the defines in front; the
+/// driver's messages come back with the file and line that they are about. A generated text (`set_text`) is included
+/// like a file and shadows one.
 class ShaderLibrary {
  public:
     ShaderLibrary();
@@ -39,14 +41,15 @@ class ShaderLibrary {
     /// use.
     void set_text(const std::string& name, std::string text);
 
-    /// A stable reference to the program, built on first use. Throws Error with file, line and the driver's message
-    /// when it has never compiled; keeps the last good one and logs when a change broke it.
+    /// A stable reference to the program, built on first use and updated in place by reloads (which reset its
+    /// uniforms). Throws Error with file, line and the driver's message when it has never compiled (at once, until one
+    /// of its texts changes); keeps the last good one and logs when a change broke it.
     const Program& program(const ProgramDesc& desc);
     /// Drops programs whose name starts with `prefix` (a module that leaves).
     void drop(std::string_view prefix);
-    /// Rebuilds programs whose files changed on disk since they were read. Returns how many were rebuilt.
+    /// Rebuilds programs whose files changed on disk since they were read. Returns how many were rebuilt and are good.
     int reload_changed();
-    /// The newest messages of programs that run on their last good version; empty when all is well.
+    /// The newest messages of programs that run on their last good version or never compiled; empty when all is well.
     [[nodiscard]] std::string broken() const;
 
  private:
