@@ -44,6 +44,8 @@ find_package(CLI11 REQUIRED)
 find_package(OpenMesh REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(OpenColorIO REQUIRED)
+# Debian's package computes /include; the headers are where every compiler looks.
+set_target_properties(OpenColorIO::OpenColorIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "")
 find_package(OpenImageIO REQUIRED)
 # Debian's OpenImageIO names the headers of an OpenCV that it does not need and that may not be there.
 get_target_property(OIIO_INCLUDES OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
