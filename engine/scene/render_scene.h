@@ -128,19 +128,29 @@ struct Light {
     Entity entity;
 };
 
-/// Values are those of physics/phase.glsl.
-enum class PhaseKind : int32_t { isotropic = 0, henyey_greenstein = 1, schlick = 2 };
+/// Values and parameters are those of PHASE_... in physics/phase.glsl.
+enum class PhaseKind : int32_t {
+    isotropic,
+    rayleigh,
+    henyey_greenstein,
+    schlick,
+    cornette_shanks,
+    two_lobe,
+    draine,
+    mie_droplets
+};
 
-enum class MediumShape : uint32_t { whole_scene = 0, box = 1 };
+/// `whole_scene` is the bounding box of all surfaces, lights with a place, and the camera: fog without an end would let no sunlight in.
+enum class MediumShape : uint32_t { whole_scene, box };
 
 /// A homogeneous participating medium. Overlapping media add.
 struct Medium {
     MediumShape shape = MediumShape::box;
-    glm::mat4 transform{1.0f};  ///< the unit box [-1/2, 1/2]^3 to the world
+    glm::mat4 transform{1.0f};  ///< box: the unit box [-1/2, 1/2]^3 to the world
     glm::vec3 sigma_s_per_m{0.0f};
     glm::vec3 sigma_a_per_m{0.0f};
     PhaseKind phase = PhaseKind::isotropic;
-    glm::vec4 phase_parameters{0.0f};  ///< x = g
+    glm::vec4 phase_parameters{0.0f};
     Entity entity;
 };
 

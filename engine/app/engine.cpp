@@ -1,0 +1,166 @@
+#include "app/engine.h"
+
+#include "core/log.h"
+#include "core/paths.h"
+#include "scene/components.h"
+
+namespace tyndall {
+namespace fs = std::filesystem;
+namespace {
+
+fs::file_time_type written(const fs::path& file) {
+    std::error_code failed;
+    const auto time = fs::last_write_time(file, failed);
+    return failed ? fs::file_time_type{} : time;
+}
+
+}  // namespace
+
+std::pair<std::string, std::string> split_assignment(const std::string& text) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos || !text.starts_with('/'))
+        throw Error("'" + text +
+                    "' is no assignment (expected /json/pointer=value, such as /render/path=\"deferred\")");
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+Engine::Engine(bool rendering, const fs::path& ocio) : color_(ocio), assets_(color_, paths::root() / "assets") {
+    register_engine_components(registry_, extractors_);
+    if (rendering) renderer_ = std::make_unique<Renderer>(color_, settings_);
+    modules_ =
+        std::make_unique<ModuleManager>(ModuleHost{registry_, extractors_, settings_, {&world_}, renderer_.get()},
+                                        paths::build() / "modules", paths::root() / "modules");
+    color_time_ = written(color_.file());
+}
+
+Engine::~Engine() {
+    modules_.reset();
+}  // before the renderer and the world, where modules have things
+
+void Engine::load_scene(const fs::path& file, const Assignments& changes) {
+    SceneFile next = SceneFile::load(file);
+    for (const auto& [pointer, value] : changes) next.set(pointer, value);
+    for (const std::string& name : next.modules()) modules_->load(name);
+    if (std::vector<Diagnostic> problems = next.validate(registry_, settings_); !problems.empty()) {
+        for (Diagnostic& problem : problems)
+            if (problem.where.file.empty()) problem.where.file = file.string();
+        throw Error(std::move(problems));
+    }
+    replace_world(std::move(next), file);
+    changes_ = changes;
+}
+
+void Engine::reload_scene() {
+    load_scene(scene_path_, changes_);
+}
+
+void Engine::save_scene(const fs::path& file) {
+    scene_file_.update(world_, settings_, options_);
+    scene_file_.save(file);
+}
+
+void Engine::replace_world(SceneFile next, const fs::path& file) {
+    for (const Entity entity : world_.entities()) world_.destroy(entity);
+    settings_.reset();
+    options_ = {};
+    assets_.set_base(fs::absolute(file).parent_path());
+    next.instantiate(world_, settings_, options_);
+    scene_file_ = std::move(next);
+    scene_path_ = file;
+    scene_time_ = written(file);
+    restart_clock();
+    apply_options();
+}
+
+void Engine::apply_options() {
+    if (!renderer_) return;
+    renderer_->set_path(options_.path);
+    renderer_->set_display(options_.display, options_.view);
+}
+
+void Engine::restart_clock() {
+    time_s_ = 0.0;
+    frame_ = 0;
+    cut_ = true;
+}
+
+const RenderScene& Engine::extract() {
+    scene_.clear();
+    for (const std::string& problem : extractors_.extract(world_, assets_, options_.camera, scene_))
+        log::error("{}", problem);
+    scene_.time_s = time_s_;
+    scene_.frame = frame_;
+    scene_.camera_cut = cut_;
+    return scene_;
+}
+
+void Engine::frame(double seconds, glm::ivec2 size, const std::optional<glm::mat4>& camera) {
+    time_s_ += seconds;
+    extract();
+    if (camera) scene_.camera.transform = *camera;
+    renderer_->render(scene_, size);
+    cut_ = false;
+    ++frame_;
+}
+
+void Engine::reload_changed() {
+    modules_->reload_changed();
+    assets_.reload_changed();
+    if (renderer_) renderer_->reload_changed();
+    if (const auto time = written(color_.file()); time != fs::file_time_type{} && time != color_time_) {
+        color_time_ = time;
+        color_problem_.clear();
+        try {
+            color_ = ColorConfig(color_.file());
+            if (renderer_) renderer_->color_changed();
+            log::info("colour configuration reloaded");
+        } catch (const Error& error) {
+            log::error("{}", color_problem_ = error.what());
+        }
+    }
+    if (const auto time = written(scene_path_); time != fs::file_time_type{} && time != scene_time_) {
+        scene_time_ = time;
+        scene_problem_.clear();
+        try {
+            const std::string camera = options_.camera;
+            reload_scene();
+            options_.camera = camera;
+            log::info("scene reloaded");
+        } catch (const Error& error) {
+            log::error("{}", scene_problem_ = error.what());
+        }
+    }
+}
+
+std::string Engine::problems() const {
+    std::string all;
+    const auto add = [&](const std::string& text) {
+        if (!text.empty()) all += text + "\n";
+    };
+    for (const ModuleReport& report : modules_->reports())
+        if (!report.problem.empty()) add("module " + report.name + ": " + report.problem);
+    if (renderer_) add(renderer_->problems());
+    add(scene_problem_);
+    add(color_problem_);
+    return all;
+}
+
+std::vector<std::string> Engine::cameras() {
+    std::vector<std::string> names;
+    for (const Entity entity : world_.entities())
+        if (world_.find<CameraComponent>(entity)) names.push_back(world_.name(entity));
+    return names;
+}
+
+void Engine::select_camera(const std::string& name) {
+    const std::vector<std::string> known = cameras();
+    if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end())
+        throw Error(Diagnostic{{scene_path_.string()},
+                               "no camera is called '" + name + "'",
+                               "an entity with a camera",
+                               nearest_name(name, known)});
+    options_.camera = name;
+    cut_ = true;
+}
+
+}  // namespace tyndall

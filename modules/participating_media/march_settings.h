@@ -1,0 +1,30 @@
+#pragma once
+/// How finely the single scattering is marched.
+
+#include "ecs/description.h"
+
+namespace tyndall::participating_media {
+
+enum class Resolution { full, half };
+
+/// "render": { "participating_media": { ... } } of a scene.
+struct MarchSettings {
+    static constexpr std::string_view kName = "participating_media";
+    bool enabled = true;
+    Resolution resolution = Resolution::full;
+    int32_t steps = 16;
+    bool jitter = true;
+};
+
+inline void describe(StructBuilder<MarchSettings>& d) {
+    d.doc("Ray-marched single scattering. The error falls with the number of steps, the time grows with it.");
+    d.field("enabled", &MarchSettings::enabled, "Off: media neither glow nor dim.");
+    d.field("resolution", &MarchSettings::resolution, "Half marches a quarter of the pixels and upsamples by depth.",
+            {"full", "half"});
+    d.field("steps", &MarchSettings::steps,
+            "Steps over the part of a ray that lies in a medium and in a light's volume.")
+        .range(1, 1024);
+    d.field("jitter", &MarchSettings::jitter, "Blue-noise offsets: fine grain instead of bands.");
+}
+
+}  // namespace tyndall::participating_media

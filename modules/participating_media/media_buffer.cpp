@@ -1,0 +1,61 @@
+#include "media_buffer.h"
+
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+#include <vector>
+
+namespace tyndall::participating_media {
+namespace {
+
+/// As in shaders/media.glsl.
+struct GpuMedium {
+    glm::mat4 box_from_world;
+    glm::vec4 sigma_s_phase;
+    glm::vec4 sigma_t;
+    glm::vec4 phase_parameters;
+};
+static_assert(sizeof(GpuMedium) == 112);
+
+Bounds scene_bounds(const RenderScene& scene) {
+    Bounds bounds;
+    for (const Surface& surface : scene.surfaces) bounds.merge(surface.bounds);
+    for (const Light& light : scene.lights)
+        if (light.kind != LightKind::directional) bounds.merge(glm::vec3(light.transform[3]));
+    bounds.merge(glm::vec3(scene.camera.transform[3]));
+    return bounds;
+}
+
+}  // namespace
+
+glm::mat4 box_to_world(const Medium& medium, const RenderScene& scene) {
+    if (medium.shape == MediumShape::box) return medium.transform;
+    const Bounds bounds = scene_bounds(scene);
+    const glm::vec3 size = glm::max(bounds.high - bounds.low, glm::vec3(1e-3f));
+    return glm::scale(glm::translate(glm::mat4(1.0f), 0.5f * (bounds.low + bounds.high)), size);
+}
+
+void MediaBuffer::bind(const gpu::Program& program, const RenderScene& scene, bool enabled) {
+    if (scene_ != &scene || frame_ != scene.frame || enabled_ != enabled || buffer_.name() == 0) upload(scene, enabled);
+    program.block("Media", buffer_);
+    program.set("media_count", count_);
+}
+
+void MediaBuffer::upload(const RenderScene& scene, bool enabled) {
+    std::vector<GpuMedium> media;
+    for (const Medium& medium : scene.media) {
+        const glm::mat4 box = box_to_world(medium, scene);
+        if (!enabled || glm::determinant(glm::mat3(box)) == 0.0f) continue;
+        media.push_back({glm::inverse(box), glm::vec4(medium.sigma_s_per_m, static_cast<float>(medium.phase)),
+                         glm::vec4(medium.sigma_s_per_m + medium.sigma_a_per_m, 0.0f), medium.phase_parameters});
+    }
+    count_ = static_cast<int>(media.size());
+    const size_t bytes = std::max<size_t>(1, media.size()) * sizeof(GpuMedium);
+    if (buffer_.size() < bytes) buffer_ = gpu::Buffer(bytes, nullptr, "media");
+    if (!media.empty()) buffer_.update(0, media.size() * sizeof(GpuMedium), media.data());
+    scene_ = &scene;
+    frame_ = scene.frame;
+    enabled_ = enabled;
+}
+
+}  // namespace tyndall::participating_media

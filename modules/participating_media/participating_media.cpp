@@ -1,0 +1,40 @@
+// The module: what it registers.
+
+#include "march_pass.h"
+#include "medium_component.h"
+#include "module/module.h"
+
+namespace tyndall::participating_media {
+
+class ParticipatingMedia final : public Module {
+ public:
+    void install(Registrar& registrar) override {
+        const auto media = std::make_shared<MediaBuffer>();
+        registrar.component<MediumComponent>(extract_medium);
+        registrar.settings<MarchSettings>();
+        registrar.pass(std::make_unique<MarchPass>(media));
+        const auto bind_media = [media](const gpu::Program& program, PassContext& context) {
+            const Frame& frame = context.frame();
+            media->bind(program, frame.scene, frame.settings.get<MarchSettings>().enabled);
+        };
+        registrar.seam(Seam::light_transmittance, {.name = "participating_media",
+                                                   .include = "participating_media/transmittance.glsl",
+                                                   .function = "participating_media_transmittance",
+                                                   .bind = bind_media});
+        registrar.seam(Seam::media_segment, {.name = "participating_media",
+                                             .include = "participating_media/segment.glsl",
+                                             .function = "participating_media_segment",
+                                             .reads = {"media_in_scatter"},
+                                             .bind = [bind_media](const gpu::Program& program, PassContext& context) {
+                                                 bind_media(program, context);
+                                                 program.texture("media_in_scatter",
+                                                                 context.texture("media_in_scatter"),
+                                                                 {.filter = gpu::Filter::nearest});
+                                             }});
+    }
+};
+
+}  // namespace tyndall::participating_media
+
+TYNDALL_MODULE(tyndall::participating_media::ParticipatingMedia, "0.1",
+               "Single scattering in fog, dust, smoke and water, ray-marched.", "")
