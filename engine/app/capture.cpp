@@ -14,22 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A texture's texels as an image with three channels, top row first.
-Image read_back(const gpu::Texture& texture) {
-    const std::vector<glm::vec4> texels = texture.read();
-    Image image(texture.desc().width, texture.desc().height, 3, Image::Type::f32);
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const glm::vec4& texel =
-                texels[static_cast<size_t>(image.height - 1 - y) * static_cast<size_t>(image.width) +
-                       static_cast<size_t>(x)];
-            image.at(x, y, 0) = texel.x;
-            image.at(x, y, 1) = texel.y;
-            image.at(x, y, 2) = texel.z;
-        }
-    return image;
-}
-
 Json settings_json(const Settings& settings) {
     Json all = Json::object();
     for (const std::string& name : settings.names())
@@ -70,6 +54,21 @@ Json record(Engine& engine, const platform::GlInfo& gl, const Shot& shot, const 
 }
 
 }  // namespace
+
+Image read_back(const gpu::Texture& texture) {
+    const std::vector<glm::vec4> texels = texture.read();
+    Image image(texture.desc().width, texture.desc().height, 3, Image::Type::f32);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const glm::vec4& texel =
+                texels[static_cast<size_t>(image.height - 1 - y) * static_cast<size_t>(image.width) +
+                       static_cast<size_t>(x)];
+            image.at(x, y, 0) = texel.x;
+            image.at(x, y, 1) = texel.y;
+            image.at(x, y, 2) = texel.z;
+        }
+    return image;
+}
 
 CapturedPicture take(Engine& engine, const Shot& shot) {
     engine.select_camera(shot.camera);

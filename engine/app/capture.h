@@ -11,6 +11,9 @@
 
 namespace tyndall {
 
+/// A texture's texels, top row first, three channels, f32.
+[[nodiscard]] Image read_back(const gpu::Texture& texture);
+
 /// How one picture is taken.
 struct Shot {
     std::string camera;  ///< empty = the scene's choice

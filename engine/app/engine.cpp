@@ -1,5 +1,7 @@
 #include "app/engine.h"
 
+#include <algorithm>
+
 #include "core/log.h"
 #include "core/paths.h"
 #include "scene/components.h"
@@ -94,10 +96,13 @@ const RenderScene& Engine::extract() {
     return scene_;
 }
 
-void Engine::frame(double seconds, glm::ivec2 size, const std::optional<glm::mat4>& camera) {
+void Engine::frame(double seconds, glm::ivec2 size, const std::optional<View>& view) {
     time_s_ += seconds;
     extract();
-    if (camera) scene_.camera.transform = *camera;
+    if (view) {
+        scene_.camera.transform = view->camera;
+        scene_.camera.ev100 += view->ev_offset;
+    }
     renderer_->render(scene_, size);
     cut_ = false;
     ++frame_;

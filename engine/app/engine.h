@@ -42,9 +42,8 @@ class Engine {
     /// Takes the world's changes into the scene file's text and writes it.
     void save_scene(const std::filesystem::path& file);
 
-    /// Advances the clock, extracts the world and renders it. `camera` overrides the camera's placement.
-    void frame(double seconds, glm::ivec2 size, const std::optional<glm::mat4>& camera = std::nullopt);
-    /// Extracts without rendering: for tools that only look at the scene.
+    /// Advances the clock, extracts the world and renders it.     void frame(double seconds, glm::ivec2 size, const
+    /// std::optional<View>& view = std::nullopt); Extracts without rendering: for tools that only look at the scene.
     const RenderScene& extract();
     /// The next frame has no history, and the clock starts again at 0.
     void restart_clock();
@@ -70,6 +69,7 @@ class Engine {
     [[nodiscard]] ComponentRegistry& registry() { return registry_; }
     [[nodiscard]] ModuleManager& modules() { return *modules_; }
     [[nodiscard]] Renderer& renderer() { return *renderer_; }
+    [[nodiscard]] const Renderer& renderer() const { return *renderer_; }
     [[nodiscard]] const RenderScene& scene() const { return scene_; }
     [[nodiscard]] const std::filesystem::path& scene_path() const { return scene_path_; }
     [[nodiscard]] std::string scene_text() const { return scene_file_.text(); }

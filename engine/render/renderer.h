@@ -54,6 +54,7 @@ class Renderer {
     /// Shows a target of the frame ("gbuffer_normal", "shadow_maps") in place of the picture; empty = the picture.
     /// Throws Error with the nearest name.
     void show(std::string_view target);
+    [[nodiscard]] const std::string& shown() const;
     /// Targets that can be shown in the present path.
     [[nodiscard]] std::vector<std::string> views() const;
 
@@ -71,7 +72,7 @@ class Renderer {
     /// Messages of broken programs and passes that run on their last good state; empty when all is well.
     [[nodiscard]] std::string problems() const;
     void set_timing(bool on);
-    [[nodiscard]] FrameStatistics statistics();
+    [[nodiscard]] FrameStatistics statistics() const;
 
  private:
     struct Implementation;

@@ -95,6 +95,7 @@ struct Surface {
     glm::mat4 previous_transform{1.0f};
     Bounds bounds;  ///< world space
     bool casts_shadow = true;
+    bool collides = false;  ///< a walking viewer collides with it
     std::optional<ScatteringInterior> interior;
     Entity entity;
 };

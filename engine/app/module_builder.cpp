@@ -1,0 +1,122 @@
+#include "app/module_builder.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <sstream>
+
+#include "core/error.h"
+#include "core/log.h"
+#include "core/paths.h"
+
+extern char** environ;
+
+namespace tyndall {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double kLookEvery_s = 0.1;
+
+double now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// What is compiled into the library: shaders and captures are not.
+bool is_source(const fs::path& file) {
+    return file.extension() == ".cpp" || file.extension() == ".h" || file.filename() == "CMakeLists.txt";
+}
+
+/// The compiler's complaints without the build tool's progress.
+std::string errors_of(const std::string& log) {
+    std::istringstream in(log);
+    std::string text;
+    for (std::string line; std::getline(in, line);)
+        if (line.find("error") != std::string::npos && !line.starts_with("ninja:")) text += line + "\n";
+    return text.empty() ? log : text;
+}
+
+}  // namespace
+
+ModuleBuilder::ModuleBuilder(fs::path build, fs::path sources)
+    : build_(std::move(build)),
+      sources_(std::move(sources)),
+      log_(build_ / ("module_build_" + std::to_string(getpid()) + ".log")) {
+    built_ = newest_sources();
+}
+
+ModuleBuilder::~ModuleBuilder() {
+    if (building()) waitpid(process_, nullptr, 0);
+    std::error_code ignored;
+    fs::remove(log_, ignored);
+}
+
+void ModuleBuilder::update() {
+    if (building()) finish();
+    if (building() || now_s() < next_look_s_) return;
+    next_look_s_ = now_s() + kLookEvery_s;
+    for (const auto& [module, time] : newest_sources())
+        if (const auto seen = built_.find(module); seen == built_.end() || seen->second != time) {
+            built_[module] = time;
+            start(module);
+            return;
+        }
+}
+
+std::string ModuleBuilder::problems() const {
+    std::string all;
+    for (const auto& [module, text] : problems_)
+        all += "module " + module + " does not build (the last good build runs on):\n" + text;
+    return all;
+}
+
+std::map<std::string, ModuleBuilder::Time> ModuleBuilder::newest_sources() const {
+    std::map<std::string, Time> newest;
+    std::error_code ignored;
+    for (const auto& module : fs::directory_iterator(sources_, ignored)) {
+        if (!module.is_directory(ignored)) continue;
+        for (const auto& file : fs::directory_iterator(module.path(), ignored)) {
+            const Time time = fs::last_write_time(file.path(), ignored);
+            if (is_source(file.path()) && !ignored)
+                newest[module.path().filename().string()] = std::max(newest[module.path().filename().string()], time);
+        }
+    }
+    return newest;
+}
+
+void ModuleBuilder::start(const std::string& module) {
+    log::info("building module {}", module);
+    const std::string target = "module_" + module, build = build_.string();
+    const char* arguments[] = {"cmake", "--build", build.c_str(), "--target", target.c_str(), nullptr};
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    pid_t process = 0;
+    const int failed = posix_spawnp(&process, "cmake", &actions, nullptr, const_cast<char**>(arguments), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (failed != 0) {
+        problems_[module] = "cmake could not be started\n";
+        return;
+    }
+    process_ = process;
+    module_ = module;
+}
+
+void ModuleBuilder::finish() {
+    int status = 0;
+    if (waitpid(process_, &status, WNOHANG) != process_) return;
+    process_ = 0;
+    problems_.erase(module_);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+    try {
+        problems_[module_] = errors_of(paths::read_file(log_));
+    } catch (const Error& error) {
+        problems_[module_] = std::string(error.what()) + "\n";
+    }
+    log::error("{}", problems());
+}
+
+}  // namespace tyndall
