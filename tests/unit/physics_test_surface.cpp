@@ -173,7 +173,7 @@ TEST(Fresnel, DiffuseReflectanceNearItsIntegral) {
         const auto f = [&](double c) { return 2 * c * double(fresnel_dielectric(float(c), 1 / eta)); };
         worst = std::max(worst, std::abs(double(fresnel_diffuse_reflectance(eta)) - integrate(f, 0, 1, 4000)));
     }
-    EXPECT_LT(worst, 0.007);
+    EXPECT_LT(worst, 0.002);
     measured("Fdr polynomial, worst absolute error for eta 0.66..2", worst);
 }
 
