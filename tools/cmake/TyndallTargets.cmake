@@ -49,3 +49,18 @@ function(tyndall_test NAME)
     add_dependencies(sanitized ${NAME})
   endif()
 endfunction()
+
+# tyndall_captures(NAME FILE...)
+#
+# Capture files as tests: ctest runs `tyndall capture` on them, which fails when an expectation does not hold.
+function(tyndall_captures NAME)
+  if(NOT TYNDALL_TESTS)
+    return()
+  endif()
+  foreach(file ${ARGN})
+    get_filename_component(stem ${file} NAME_WE)
+    add_test(NAME capture_${NAME}_${stem}
+      COMMAND tyndall_program capture ${CMAKE_CURRENT_SOURCE_DIR}/${file} --out ${CMAKE_BINARY_DIR}/captures
+      WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  endforeach()
+endfunction()
