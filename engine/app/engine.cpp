@@ -88,11 +88,11 @@ void Engine::restart_clock() {
 
 const RenderScene& Engine::extract() {
     scene_.clear();
-    for (const std::string& problem : extractors_.extract(world_, assets_, options_.camera, scene_))
-        log::error("{}", problem);
     scene_.time_s = time_s_;
     scene_.frame = frame_;
     scene_.camera_cut = cut_;
+    for (const std::string& problem : extractors_.extract(world_, assets_, options_.camera, scene_))
+        log::error("{}", problem);
     return scene_;
 }
 
