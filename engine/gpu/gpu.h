@@ -78,9 +78,9 @@ class Buffer : public Handle {
     template <class T>
     Buffer(std::span<const T> data, std::string_view label) : Buffer(data.size_bytes(), data.data(), label) {}
     ~Buffer();
-    Buffer(Buffer&& other) noexcept : Handle(std::move(other)), size_(std::exchange(other.size_, 0)) {}
+    Buffer(Buffer&&) noexcept = default;
     Buffer& operator=(Buffer&& other) noexcept {
-        Handle::operator=(std::move(other));
+        std::swap(name_, other.name_);
         std::swap(size_, other.size_);
         return *this;
     }
@@ -116,7 +116,7 @@ class Texture : public Handle {
     ~Texture();
     Texture(Texture&&) noexcept = default;
     Texture& operator=(Texture&& other) noexcept {
-        Handle::operator=(std::move(other));
+        std::swap(name_, other.name_);
         std::swap(desc_, other.desc_);
         return *this;
     }
@@ -166,7 +166,7 @@ class Program : public Handle {
     ~Program();
     Program(Program&&) noexcept = default;
     Program& operator=(Program&& other) noexcept {
-        Handle::operator=(std::move(other));
+        std::swap(name_, other.name_);
         std::swap(slots_, other.slots_);
         return *this;
     }
@@ -221,7 +221,7 @@ class Framebuffer : public Handle {
     ~Framebuffer();
     Framebuffer(Framebuffer&&) noexcept = default;
     Framebuffer& operator=(Framebuffer&& other) noexcept {
-        Handle::operator=(std::move(other));
+        std::swap(name_, other.name_);
         std::swap(size_, other.size_);
         return *this;
     }
