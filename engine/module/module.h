@@ -46,10 +46,11 @@ class Registrar {
     void component(Extractor extractor) {
         add_component(describe_struct<T>(std::string(T::kName)), std::move(extractor));
     }
-    /// Settings under "render" in scene files.
+    /// Settings under "render" in scene files. The object that is returned holds their present values as long as the
+    /// module is installed. Passes may declare targets by them: the frame graph is built again when a setting changes.
     template <class T>
-    void settings() {
-        add_settings(describe_struct<T>(std::string(T::kName)));
+    const T& settings() {
+        return *static_cast<const T*>(add_settings(describe_struct<T>(std::string(T::kName))));
     }
     /// A node of the frame graph; its name starts with the module's: "fog.march". Run in both render paths.
     virtual void pass(std::unique_ptr<Pass> pass) = 0;
@@ -58,7 +59,7 @@ class Registrar {
 
  protected:
     virtual void add_component(std::shared_ptr<const StructType> type, Extractor extractor) = 0;
-    virtual void add_settings(std::shared_ptr<const StructType> type) = 0;
+    virtual const void* add_settings(std::shared_ptr<const StructType> type) = 0;
 };
 
 /// What a module implements.

@@ -38,10 +38,11 @@ void Registration::add_component(std::shared_ptr<const StructType> type, Extract
     host_.extractors.add(name, std::move(extractor));
 }
 
-void Registration::add_settings(std::shared_ptr<const StructType> type) {
+const void* Registration::add_settings(std::shared_ptr<const StructType> type) {
     const std::string name = type->name;
     host_.settings.add(std::move(type), owner_);
     settings_.push_back(name);
+    return std::as_const(host_.settings).find(name);
 }
 
 std::vector<std::string> Registration::passes() const {

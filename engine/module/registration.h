@@ -38,7 +38,7 @@ class Registration final : public Registrar {
 
  private:
     void add_component(std::shared_ptr<const StructType> type, Extractor extractor) override;
-    void add_settings(std::shared_ptr<const StructType> type) override;
+    const void* add_settings(std::shared_ptr<const StructType> type) override;
 
     ModuleHost& host_;
     std::string owner_;

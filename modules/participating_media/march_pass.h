@@ -15,13 +15,16 @@ namespace tyndall::participating_media {
 /// the distance marched (m). Full or half resolution by MarchSettings.
 class MarchPass final : public Pass {
  public:
-    explicit MarchPass(std::shared_ptr<MediaBuffer> media) : media_(std::move(media)) {}
+    /// `settings` must outlive the pass.
+    MarchPass(std::shared_ptr<MediaBuffer> media, const MarchSettings& settings)
+        : media_(std::move(media)), settings_(settings) {}
     [[nodiscard]] std::string_view name() const override { return "participating_media.march"; }
     void declare(PassDeclaration& declaration) override;
     void execute(PassContext& context) override;
 
  private:
     std::shared_ptr<MediaBuffer> media_;
+    const MarchSettings& settings_;
     gpu::Texture blue_noise_;
 };
 

@@ -11,11 +11,10 @@ class ParticipatingMedia final : public Module {
     void install(Registrar& registrar) override {
         const auto media = std::make_shared<MediaBuffer>();
         registrar.component<MediumComponent>(extract_medium);
-        registrar.settings<MarchSettings>();
-        registrar.pass(std::make_unique<MarchPass>(media));
-        const auto bind_media = [media](const gpu::Program& program, PassContext& context) {
-            const Frame& frame = context.frame();
-            media->bind(program, frame.scene, frame.settings.get<MarchSettings>().enabled);
+        const MarchSettings& settings = registrar.settings<MarchSettings>();
+        registrar.pass(std::make_unique<MarchPass>(media, settings));
+        const auto bind_media = [media, &settings](const gpu::Program& program, PassContext& context) {
+            media->bind(program, context.frame().scene, settings.enabled);
         };
         registrar.seam(Seam::light_transmittance, {.name = "participating_media",
                                                    .include = "participating_media/transmittance.glsl",
