@@ -28,12 +28,11 @@ namespace tyndall {
 
 /// Metadata of a module, plain C data.
 struct ModuleInfo {
-    const char* abi;       ///< TYNDALL_ABI_TAG that the module was compiled with
-    const char* name;      ///< equals the file's name
-    const char* version;   ///< of the module
-    const char* summary;   ///< one line
-    const char* depends;   ///< comma-separated modules that must be loaded first; may be empty
-    const char* build_id;  ///< differs between builds
+    const char* abi;      ///< TYNDALL_ABI_TAG that the module was compiled with
+    const char* name;     ///< equals the file's name
+    const char* version;  ///< of the module
+    const char* summary;  ///< one line
+    const char* depends;  ///< comma-separated modules that must be loaded first; may be empty
 };
 
 /// Where a module registers what it brings. A name that is taken is an Error that names its owner.
@@ -73,15 +72,14 @@ class Module {
 }  // namespace tyndall
 
 /// Exports the class as this library's module. TYNDALL_MODULE_NAME is set by the build (tyndall_module in CMake).
-#define TYNDALL_MODULE(Type, version, summary, depends)                                                      \
-    extern "C" __attribute__((visibility("default"))) const tyndall::ModuleInfo* tyndall_module_info() {     \
-        static constexpr tyndall::ModuleInfo info{TYNDALL_ABI_TAG, TYNDALL_MODULE_NAME,  version, summary,   \
-                                                  depends,         __DATE__ " " __TIME__};                   \
-        return &info;                                                                                        \
-    }                                                                                                        \
-    extern "C" __attribute__((visibility("default"))) tyndall::Module* tyndall_module_create() {             \
-        return new Type;                                                                                     \
-    }                                                                                                        \
-    extern "C" __attribute__((visibility("default"))) void tyndall_module_destroy(tyndall::Module* module) { \
-        delete module;                                                                                       \
+#define TYNDALL_MODULE(Type, version, summary, depends)                                                             \
+    extern "C" __attribute__((visibility("default"))) const tyndall::ModuleInfo* tyndall_module_info() {            \
+        static constexpr tyndall::ModuleInfo info{TYNDALL_ABI_TAG, TYNDALL_MODULE_NAME, version, summary, depends}; \
+        return &info;                                                                                               \
+    }                                                                                                               \
+    extern "C" __attribute__((visibility("default"))) tyndall::Module* tyndall_module_create() {                    \
+        return new Type;                                                                                            \
+    }                                                                                                               \
+    extern "C" __attribute__((visibility("default"))) void tyndall_module_destroy(tyndall::Module* module) {        \
+        delete module;                                                                                              \
     }
