@@ -1,7 +1,11 @@
 // Changing the world while walking over it.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <stdexcept>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include "ecs_test_types.h"
 
@@ -132,6 +136,19 @@ TEST_F(EcsIteration, ManyLargeValuesWaitUnharmed) {
         &world);
     EXPECT_EQ(Counted::living, 0);
     EXPECT_EQ(world.size(), 0u);
+}
+
+TEST_F(EcsIteration, ThreadsReadSideBySide) {
+    for (int i = 0; i < 1000; ++i) world.create_with(Position{float(i), 0, 0});
+    std::array<float, 4> sums{};
+    std::vector<std::thread> threads;
+    for (float& sum : sums)
+        threads.emplace_back([&world = std::as_const(world), &sum] {
+            for (int round = 0; round < 20; ++round)
+                world.each<Position>([&](Entity e, const Position&) { sum += world.find<Position>(e)->x; });
+        });
+    for (std::thread& thread : threads) thread.join();
+    for (const float sum : sums) EXPECT_EQ(sum, 20 * 499500.0f);
 }
 
 TEST_F(EcsIteration, AFailedDefaultLeavesTheEntityAsItWas) {
