@@ -14,6 +14,7 @@ class Seams;
 class GpuScene;
 class ShadowMaps;
 class Settings;
+class LightBuffer;
 
 /// The uniform block "FrameBlock" of render/shaders/frame.glsl: keep both the same.
 struct FrameBlock {
@@ -22,8 +23,8 @@ struct FrameBlock {
     glm::mat4 view_projection;
     glm::mat4 inverse_view_projection;
     glm::mat4 previous_view_projection;
-    glm::vec4 eye_near;   ///< xyz eye in the world, w near plane in metres
-    glm::vec4 size_time;  ///< width, height, 1 / exposure-less time in seconds (z), frame number (w, wraps at 1024)
+    glm::vec4 eye_near;               ///< xyz eye in the world, w near plane in metres
+    glm::vec4 size_time;              ///< width, height, time in seconds (z), frame number (w, wraps at 1024)
     glm::vec4 tan_half_fov_exposure;  ///< x: tan(fov/2) * aspect, y: tan(fov/2), z: exposure, w: unused
 };
 
@@ -36,8 +37,7 @@ struct GpuLight {
     glm::vec4 intensity_profile;  ///< rgb colour times cd or lux, w SpotProfile as float
     glm::vec4 gobo;  ///< x layer of the gobo array or -1, y z half size in metres (directional) or tan(outer) (spot), w
                      ///< source size
-    glm::vec4
-        shadow;  ///< x first layer of the shadow array or -1, y layers, z texel size factor, w filter radius in texels
+    glm::vec4 shadow;  ///< x first view in ShadowMaps or -1, y number of views
 };
 
 /// References that live for one frame.
@@ -50,7 +50,7 @@ struct Frame {
     const Settings& settings;  ///< renderer's and modules' settings by name
     const FrameBlock& block;
     const gpu::Buffer& frame_block;  ///< bind as "FrameBlock"
-    const gpu::Buffer& lights;       ///< bind as "Lights"
+    const LightBuffer& lights;       ///< and their gobos
 };
 
 /// Binds FrameBlock, Lights, the shadow maps and gobos where the program has them.

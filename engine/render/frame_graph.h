@@ -39,6 +39,9 @@ struct TargetDesc {
     int mips = 1;
     bool history = false;  ///< last frame's content can be read as "NAME@previous"; dropped on camera cut and resize
     std::optional<glm::vec4> clear;  ///< cleared to this before the writer runs (depth: x)
+    /// The pass's own texture, which lives on between frames (caches): the graph orders the passes that use it, but
+    /// neither makes nor clears nor shares it, and looks at nothing above. May return null before the pass first ran.
+    std::function<const gpu::Texture*()> own;
 };
 
 /// Collects what a pass does, in Pass::declare.
@@ -80,6 +83,7 @@ class Pass {
     [[nodiscard]] virtual std::string_view name() const = 0;
     /// Called when the graph is built: at the start, on resize, and when `FrameGraph::invalidate` was called.
     virtual void declare(PassDeclaration& declaration) = 0;
+    /// Begins without blending, tests, culling and scissor; depth writes on, compare GREATER, clip depth 0..1.
     virtual void execute(PassContext& context) = 0;
 };
 
@@ -94,7 +98,8 @@ class PassContext {
     /// Binds a framebuffer of all flat targets this pass writes or updates, colours in declaration order, depth where
     /// there is one.
     virtual void bind_targets() = 0;
-    /// Binds chosen targets of this pass: one layer of one mip of each (-1 = the flat image or all layers).
+    /// Binds chosen targets of this pass: one layer of one mip of each (-1 = the flat image or all layers). A depth
+    /// target that the pass only reads may be among them, for depth tests without writing.
     virtual void bind_targets(std::span<const std::string_view> targets, int layer, int mip = 0) = 0;
     /// The frame's size in pixels.
     [[nodiscard]] virtual glm::ivec2 size() const = 0;
@@ -121,7 +126,8 @@ class FrameGraph {
     /// Orders and allocates for this size. Throws Error naming the passes: a read that nobody writes, a cycle, two
     /// creators, two updaters without order, a second pass of the same name.
     void build(glm::ivec2 size);
-    /// Runs all passes; builds first when needed. `camera_cut` drops history.
+    /// Runs all passes; builds first when needed. `camera_cut` drops history. Throws what build throws, once: the next
+    /// call runs the last good plan, unless one of its passes is no longer in the set.
     void execute(Frame& frame, glm::ivec2 size, bool camera_cut);
 
     /// Passes that were left out since nothing reads what they write keep no place here.
@@ -131,7 +137,8 @@ class FrameGraph {
     /// A target after execute; it must have been asked for with `retain`, or live to the end of the frame. Null when
     /// there is none.
     [[nodiscard]] const gpu::Texture* target(std::string_view name) const;
-    /// Keeps a target from being aliased, so that it can be shown or saved after the frame. Empty = none.
+    /// Keeps a target from being aliased, so that it can be shown or saved after the frame. Empty = none; names that
+    /// no pass writes are ignored (see `targets`).
     void retain(std::vector<std::string> targets);
     /// Times of the last frame, in order, when timing is on.
     void set_timing(bool on);

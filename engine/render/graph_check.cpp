@@ -59,6 +59,8 @@ class Resolver {
             complain(fmt::format("pass '{}' writes '{}' with {} layers, {} mips, size {} x {}, scale {}", by,
                                  access.target, desc.layers, desc.mips, desc.size.x, desc.size.y, desc.scale),
                      "at least one layer, a positive size, or a scale up to 8");
+        if (desc.own && desc.history)
+            complain(fmt::format("pass '{}' wants history of '{}', which is its own texture", by, access.target));
         const auto known = names_.target_index.find(access.target);
         if (known != names_.target_index.end()) {
             complain(fmt::format("passes '{}' and '{}' both create target '{}'",

@@ -26,7 +26,7 @@ GraphPassContext::GraphPassContext(const DeclaredPass& pass, const GraphPlan& pl
         Binding binding{
             access.target + (access.previous ? "@previous" : ""), kAbsent, access.kind, access.previous, {}};
         if (found != targets.end()) binding.target = found->second;
-        if (access.kind == Kind::write) binding.clear = plan.targets[found->second].desc.clear;
+        if (access.kind == Kind::write && !access.desc.own) binding.clear = plan.targets[found->second].desc.clear;
         bindings_.push_back(std::move(binding));
     }
     // A pass that updates a target may also have said that it reads it: what may be drawn to is found first.
@@ -92,7 +92,8 @@ const gpu::Framebuffer& GraphPassContext::framebuffer(const Attachments& wanted)
 void GraphPassContext::bind_targets() {
     Attachments attachments;
     for (const Binding& binding : bindings_)
-        if (binding.kind != Kind::read && texture_of(binding)->desc().shape == gpu::Shape::flat)
+        if (const gpu::Texture* texture = binding.kind == Kind::read ? nullptr : texture_of(binding);
+            texture != nullptr && texture->desc().shape == gpu::Shape::flat)
             add(attachments, binding, -1, 0);
     framebuffer(attachments).bind();
 }
@@ -101,7 +102,8 @@ void GraphPassContext::bind_targets(std::span<const std::string_view> targets, i
     Attachments attachments;
     for (const std::string_view target : targets) {
         const Binding* binding = find(target);
-        if (binding == nullptr || binding->kind == Kind::read)
+        const gpu::Texture* texture = binding == nullptr || binding->previous ? nullptr : texture_of(*binding);
+        if (texture == nullptr || (binding->kind == Kind::read && !gpu::is_depth(texture->desc().format)))
             throw Error(fmt::format("pass '{}' binds '{}', which it neither writes nor updates", pass_, target));
         add(attachments, *binding, layer, mip);
     }

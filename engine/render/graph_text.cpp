@@ -11,6 +11,8 @@ namespace {
 using Access = PassDeclaration::Access;
 
 std::string target_line(const PlannedTarget& target, size_t texture, glm::ivec2 frame_size) {
+    if (target.desc.own)
+        return fmt::format("  \"t:{0}\" [shape=ellipse, label=\"{0}\\nthe pass's own\"];\n", target.name);
     const gpu::TextureDesc desc = texture_desc(target.desc, frame_size);
     std::string extent = fmt::format("{} x {}", desc.width, desc.height);
     if (desc.layers > 1) extent += fmt::format(" x {}", desc.layers);

@@ -54,6 +54,8 @@ std::vector<GraphTextures::NamedDesc> GraphTextures::lay_out(const GraphPlan& pl
     std::vector<size_t> owners;
     for (size_t i = 0; i < plan.targets.size(); ++i) {
         const PlannedTarget& target = plan.targets[i];
+        if (target.desc.own && target.first >= 0) owned_.push_back({i, target.desc.own});
+        if (target.desc.own) continue;
         const gpu::TextureDesc desc = texture_desc(target.desc, frame_size);
         if (target.history) histories_.push_back({target.name, desc});
         if (target.first < 0 || target.history) continue;
@@ -85,7 +87,9 @@ const GraphTextures::History* GraphTextures::history(size_t target) const {
 
 const gpu::Texture* GraphTextures::current(size_t target) const {
     if (const History* pair = history(target)) return &pair->textures[pair->now];
-    return numbers_[target] == kNone ? nullptr : &slots_[numbers_[target]].texture;
+    if (numbers_[target] != kNone) return &slots_[numbers_[target]].texture;
+    const auto own = std::ranges::find(owned_, target, &Owned::target);
+    return own == owned_.end() ? nullptr : own->texture();
 }
 
 const gpu::Texture* GraphTextures::previous(size_t target) const {
@@ -95,7 +99,7 @@ const gpu::Texture* GraphTextures::previous(size_t target) const {
 
 bool GraphTextures::survives(size_t target) const {
     const size_t number = numbers_[target];
-    return number < slots_.size() ? slots_[number].last_target == target : number != kNone;
+    return number < slots_.size() ? slots_[number].last_target == target : current(target) != nullptr;
 }
 
 void GraphTextures::next_frame(bool drop) {

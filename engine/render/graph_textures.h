@@ -1,6 +1,7 @@
 #pragma once
 /// The textures behind a plan's targets.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,10 @@ class GraphTextures {
         int now = 0;
         int frames = 0;  ///< frames since the last cut, at most 2: from then on the other texture is the last frame's
     };
+    struct Owned {
+        size_t target = 0;
+        std::function<const gpu::Texture*()> texture;
+    };
     /// Fills everything but the textures. Returns what each slot wants.
     std::vector<NamedDesc> lay_out(const GraphPlan& plan, glm::ivec2 frame_size);
     [[nodiscard]] const History* history(size_t target) const;
@@ -54,6 +59,7 @@ class GraphTextures {
     std::vector<size_t> numbers_;  ///< of each target: into slots_, then into histories_, or kNone
     std::vector<Slot> slots_;
     std::vector<History> histories_;
+    std::vector<Owned> owned_;  ///< by passes
 };
 
 }  // namespace tyndall

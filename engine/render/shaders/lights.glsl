@@ -1,0 +1,89 @@
+// The scene's lights: GpuLight of render/frame.h, same order as RenderScene's.
+//
+// A program for one kind of light alone may define LIGHT_KIND as one of the LIGHT_ constants.
+#include "physics/intersect.glsl"
+#include "physics/light_profile.glsl"
+#include "physics/units.glsl"
+#include "render/shaders/frame.glsl"
+
+const int LIGHT_POINT = 0;
+const int LIGHT_SPOT = 1;
+const int LIGHT_DIRECTIONAL = 2;
+
+struct GpuLight {
+    vec4 position_range;     // metres; range 0 = none
+    vec4 direction_kind;     // travel direction, LIGHT_...
+    vec4 right_cos_outer;    // local +X
+    vec4 up_cos_inner;       // local +Y
+    vec4 intensity_profile;  // cd or lux, SPOT_...
+    vec4 gobo;    // layer or -1, half size in metres (directional) or tan(outer) (spot), size of the emitter in metres
+    vec4 shadow;  // first shadow view or -1, number of views
+};
+
+layout(std430) readonly buffer Lights { GpuLight lights[]; };
+
+uniform sampler2DArray light_gobos;  // linear transmittance; v = 0 is an image's top
+
+/// How far away a directional light counts as being, metres.
+const float LIGHT_FAR = 1e6;
+
+int light_kind(uint light) {
+#ifdef LIGHT_KIND
+    return LIGHT_KIND;
+#else
+    return int(lights[light].direction_kind.w);
+#endif
+}
+
+/// Metres from p to the light, and the unit direction there.
+float light_distance(uint light, vec3 p, out vec3 to_light) {
+    if (light_kind(light) == LIGHT_DIRECTIONAL) {
+        to_light = -lights[light].direction_kind.xyz;
+        return LIGHT_FAR;
+    }
+    vec3 offset = lights[light].position_range.xyz - p;
+    float metres = length(offset);
+    to_light = offset / max(metres, 1e-6);
+    return metres;
+}
+
+/// What the slide in front of the light lets through toward p. Seen from the light along its axis the image stands
+/// upright: left is -X, its top is +Y. A spot's image spans the square about its outer cone; a directional light's
+/// spans the rectangle of gobo_size_m about the light's origin, and its edge texels go on outside of it.
+vec3 light_gobo(uint light, vec3 p) {
+    vec4 gobo = lights[light].gobo;
+    if (gobo.x < 0.0) return vec3(1.0);
+    vec3 offset = p - lights[light].position_range.xyz;
+    vec2 half_size = gobo.yz;  // metres at p
+    if (light_kind(light) == LIGHT_SPOT) half_size *= max(dot(offset, lights[light].direction_kind.xyz), 1e-6);
+    vec2 at = vec2(dot(offset, lights[light].right_cos_outer.xyz), -dot(offset, lights[light].up_cos_inner.xyz));
+    vec2 texels = vec2(textureSize(light_gobos, 0).xy) / (2.0 * half_size);  // a metre
+    float lod = log2(max(max(texels.x, texels.y) * pixel_footprint(p), 1.0));
+    return textureLod(light_gobos, vec3(0.5 + 0.5 * at / half_size, gobo.x), lod).rgb;
+}
+
+/// Illuminance (lux per channel) that a plane at p facing the light receives when nothing is in between, and the unit
+/// direction to the light.
+vec3 light_irradiance(uint light, vec3 p, out vec3 to_light) {
+    float metres = light_distance(light, p, to_light);
+    vec4 intensity = lights[light].intensity_profile;
+    int kind = light_kind(light);
+    if (kind == LIGHT_DIRECTIONAL) return intensity.rgb * light_gobo(light, p);
+    float share = point_irradiance(1.0, metres) * range_window(metres, lights[light].position_range.w);
+    if (kind == LIGHT_POINT) return intensity.rgb * share;
+    share *= spot_falloff(int(intensity.w), -dot(to_light, lights[light].direction_kind.xyz),
+                          lights[light].up_cos_inner.w, lights[light].right_cos_outer.w);
+    if (share <= 0.0) return vec3(0.0);
+    return intensity.rgb * share * light_gobo(light, p);
+}
+
+/// Narrows [t0, t1] of a ray (unit direction) to what the light can reach; false when nothing is left.
+bool light_segment(uint light, vec3 origin, vec3 direction, inout float t0, inout float t1) {
+    int kind = light_kind(light);
+    if (kind == LIGHT_DIRECTIONAL) return t0 < t1;
+    vec4 sphere = lights[light].position_range;
+    if (sphere.w > 0.0 && !clip_to_sphere(origin, direction, sphere.xyz, sphere.w, t0, t1)) return false;
+    float cos_outer = lights[light].right_cos_outer.w;
+    if (kind == LIGHT_POINT || cos_outer < 0.0872) return t0 < t1;  // such a wide cone is not clipped to
+    return clip_to_infinite_cone(origin, direction, sphere.xyz, lights[light].direction_kind.xyz, cos_outer, t0, t1);
+}
