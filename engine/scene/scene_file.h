@@ -38,17 +38,23 @@ class SceneFile {
 
     /// Replaces the value at a JSON pointer by a JSON text before it is instantiated (`capture --set
     /// /entities/2/medium/...=0.5`);
-    /// "/entities/NAME/..." names an entity. Throws Error for a pointer that does not lead anywhere.
+    /// "/entities/NAME/..." names an entity ('/' in it is written ~1). Keys that an object lacks are added; a value
+    /// that is a plain word need not be quoted. Throws Error for a pointer that does not lead anywhere.
     void set(std::string_view pointer, std::string_view json_value);
 
     /// Names from "modules".
     [[nodiscard]] std::vector<std::string> modules() const;
     /// Checks everything against the registered descriptions; empty when it is right.
     [[nodiscard]] std::vector<Diagnostic> validate(const ComponentRegistry& registry, const Settings& settings) const;
-    /// Makes the entities, settings and options. Throws Error with all of `validate`'s problems and then changes
-    /// nothing.
+    /// Makes the entities, settings (over the values they have) and options. Throws Error with all of `validate`'s
+    /// problems and then changes nothing.
     void instantiate(World& world, Settings& settings, RenderOptions& options);
-    /// Takes the world's changes into the text: edited fields, added and removed components and entities.
+    /// Gives the entities those components of the text whose type was not registered at `instantiate` and is now: after
+    /// a module was loaded late.
+    void adopt(World& world);
+    /// Takes the world's changes into the text: edited fields, added and removed components and entities. Entities with
+    /// the component "transient", and those below them, are not saved. Throws Error when an entity's parent has no name
+    /// of its own that the text could say.
     void update(const World& world, const Settings& settings, const RenderOptions& options);
     [[nodiscard]] const std::string& text() const;
     /// Writes the text atomically.
@@ -57,8 +63,9 @@ class SceneFile {
     /// Where a component is in the file, for messages about it after loading ("asset not found").
     [[nodiscard]] SourceLocation location(Entity entity, std::string_view component) const;
 
- private:
     struct Implementation;
+
+ private:
     std::unique_ptr<Implementation> self_;
 };
 
@@ -67,8 +74,14 @@ class SceneFile {
 /// Missing fields keep their defaults; unknown ones are returned, not lost. Problems are appended to `problems`.
 std::string component_from_json(const StructType& type, void* component, std::string_view json,
                                 std::vector<Diagnostic>& problems);
+/// Two JSON objects as one: members of `extra` that `base` lacks are added, objects that both have are merged. An empty
+/// text is an empty object. Throws Error when one is no object.
+[[nodiscard]] std::string merge_json(std::string_view base, std::string_view extra);
 
 /// A JSON Schema (2020-12 subset that editors accept) of scene files for these descriptions.
 [[nodiscard]] std::string scene_schema(const ComponentRegistry& registry, const Settings& settings);
+
+/// The manual of all components and settings as Markdown: a table of fields each, made from the descriptions.
+[[nodiscard]] std::string component_manual(const ComponentRegistry& registry, const Settings& settings);
 
 }  // namespace tyndall

@@ -23,6 +23,7 @@ class Settings {
         add(describe_struct<T>(std::string(T::kName)), std::move(owner));
     }
     void add(std::shared_ptr<const StructType> type, std::string owner);
+    /// Destroys the settings of that name, if there are any: before the module that brought them leaves.
     void remove(std::string_view name);
 
     /// The settings of that type; they must have been added.
@@ -37,6 +38,9 @@ class Settings {
     [[nodiscard]] void* find(std::string_view name);
     [[nodiscard]] const void* find(std::string_view name) const;
     [[nodiscard]] const StructType* type(std::string_view name) const;
+    /// Who added it: "engine" or a module; empty for an unknown name.
+    [[nodiscard]] std::string owner(std::string_view name) const;
+    /// All names in the order they were added.
     [[nodiscard]] std::vector<std::string> names() const;
     /// Everything back to its defaults: before another scene is loaded.
     void reset();

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <iterator>
+
+#include "core/log.h"
+#include "scene/component_form.h"
+#include "scene/scene_file_state.h"
+#include "scene/scene_structure.h"
+#include "scene/struct_object.h"
+
+namespace tyndall {
+namespace {
+
+using Kind = JsonValue::Kind;
+
+class Validation {
+ public:
+    Validation(const JsonDocument& document, const ComponentRegistry& registry, const Settings& settings)
+        : document_(document),
+          registry_(registry),
+          settings_(settings),
+          missing_(missing_modules(document, registry, settings)),
+          problems_(document, list_) {}
+
+    std::vector<Diagnostic> run() {
+        if (const JsonMember* render = document_.root.find("render")) {
+            const Problems::Step step(problems_, "render");
+            for (const JsonMember& member : render->value.members) check_settings(member);
+        }
+        const Problems::Step step(problems_, "entities");
+        const std::vector<JsonValue>& entities = entity_values(document_);
+        for (size_t i = 0; i < entities.size(); ++i) {
+            const Problems::Step item(problems_, i);
+            for (const JsonMember& member : entities[i].members) check_component(member);
+        }
+        return std::move(list_);
+    }
+
+ private:
+    void check_settings(const JsonMember& member) {
+        if (std::ranges::find(kRenderKeys, member.key) != std::end(kRenderKeys)) return;
+        const Problems::Step step(problems_, member.key);
+        const StructType* type = settings_.type(member.key);
+        if (type) {
+            StructObject scratch(*type);
+            read_component(*type, scratch.get(), member.value, problems_);
+        } else if (missing_.empty()) {
+            std::vector<std::string> names = settings_.names();
+            names.insert(names.end(), std::begin(kRenderKeys), std::end(kRenderKeys));
+            problems_.add(member.key_begin, "unknown setting '" + member.key + "'", join_names(names),
+                          nearest_name(member.key, names));
+        }
+    }
+
+    void check_component(const JsonMember& member) {
+        if (std::ranges::find(kEntityKeys, member.key) != std::end(kEntityKeys)) return;
+        const Problems::Step step(problems_, member.key);
+        const ComponentId id = registry_.find(member.key);
+        if (!is_authored(member.key)) {
+            problems_.add(member.key_begin, "component '" + member.key + "' is made by the engine",
+                          "one that can be written");
+        } else if (id != ComponentId::none) {
+            StructObject scratch(registry_.type(id));
+            read_component(registry_.type(id), scratch.get(), member.value, problems_);
+        } else if (missing_.empty()) {
+            std::vector<std::string> names = registry_.names();
+            std::erase_if(names, [](const std::string& name) { return !is_authored(name); });
+            names.insert(names.end(), std::begin(kEntityKeys), std::end(kEntityKeys));
+            problems_.add(member.key_begin, "unknown component '" + member.key + "'",
+                          "a component, \"name\" or \"parent\"", nearest_name(member.key, names));
+        }
+    }
+
+    const JsonDocument& document_;
+    const ComponentRegistry& registry_;
+    const Settings& settings_;
+    std::vector<std::string> missing_;
+    std::vector<Diagnostic> list_;
+    Problems problems_;
+};
+
+}  // namespace
+
+std::vector<std::string> missing_modules(const JsonDocument& document, const ComponentRegistry& registry,
+                                         const Settings& settings) {
+    std::vector<std::string> missing;
+    const JsonMember* modules = document.root.find("modules");
+    if (!modules) return missing;
+    for (const JsonValue& module : modules->value.items) {
+        const auto owns_component = [&](ComponentId id) { return registry.owner(id) == module.string; };
+        const auto owns_settings = [&](const std::string& name) { return settings.owner(name) == module.string; };
+        if (std::ranges::none_of(registry.ids(), owns_component) &&
+            std::ranges::none_of(settings.names(), owns_settings))
+            missing.push_back(module.string);
+    }
+    return missing;
+}
+
+std::vector<Diagnostic> validate_scene(const JsonDocument& document, const ComponentRegistry& registry,
+                                       const Settings& settings) {
+    return Validation(document, registry, settings).run();
+}
+
+void read_render(const JsonDocument& document, Settings& settings, RenderOptions& options) {
+    const JsonMember* render = document.root.find("render");
+    if (!render) return;
+    std::vector<Diagnostic> list;
+    Problems problems(document, list);
+    for (const JsonMember& member : render->value.members) {
+        if (const StructType* type = settings.type(member.key))
+            read_component(*type, settings.find(member.key), member.value, problems);
+    }
+    const auto read = [&](std::string_view key, std::string& option) {
+        const JsonMember* member = render->value.find(key);
+        if (member && member->value.is(Kind::string)) option = member->value.string;
+    };
+    read("path", options.path);
+    read("display", options.display);
+    read("view", options.view);
+    read("camera", options.camera);
+}
+
+}  // namespace tyndall
