@@ -8,16 +8,6 @@
 
 namespace tyndall {
 namespace fs = std::filesystem;
-namespace {
-
-fs::file_time_type written(const fs::path& file) {
-    std::error_code failed;
-    const auto time = fs::last_write_time(file, failed);
-    return failed ? fs::file_time_type{} : time;
-}
-
-}  // namespace
-
 std::pair<std::string, std::string> split_assignment(const std::string& text) {
     const size_t equals = text.find('=');
     if (equals == std::string::npos || !text.starts_with('/'))
@@ -32,7 +22,7 @@ Engine::Engine(bool rendering, const fs::path& ocio) : color_(ocio), assets_(col
     modules_ =
         std::make_unique<ModuleManager>(ModuleHost{registry_, extractors_, settings_, {&world_}, renderer_.get()},
                                         paths::build() / "modules", paths::root() / "modules");
-    color_time_ = written(color_.file());
+    watch_.add(color_.file());
 }
 
 Engine::~Engine() {
@@ -68,8 +58,11 @@ void Engine::replace_world(SceneFile next, const fs::path& file) {
     assets_.set_base(fs::absolute(file).parent_path());
     next.instantiate(world_, settings_, options_);
     scene_file_ = std::move(next);
+    if (scene_path_ != file) {
+        watch_.remove(scene_path_);
+        watch_.add(file);
+    }
     scene_path_ = file;
-    scene_time_ = written(file);
     restart_clock();
     apply_options();
 }
@@ -112,28 +105,32 @@ void Engine::reload_changed() {
     modules_->reload_changed();
     assets_.reload_changed();
     if (renderer_) renderer_->reload_changed();
-    if (const auto time = written(color_.file()); time != fs::file_time_type{} && time != color_time_) {
-        color_time_ = time;
-        color_problem_.clear();
-        try {
-            color_ = ColorConfig(color_.file());
-            if (renderer_) renderer_->color_changed();
-            log::info("colour configuration reloaded");
-        } catch (const Error& error) {
-            log::error("{}", color_problem_ = error.what());
-        }
+    for (const fs::path& file : watch_.changed()) {
+        if (file == color_.file()) reload_color();
+        if (file == scene_path_) reload_changed_scene();
     }
-    if (const auto time = written(scene_path_); time != fs::file_time_type{} && time != scene_time_) {
-        scene_time_ = time;
-        scene_problem_.clear();
-        try {
-            const std::string camera = options_.camera;
-            reload_scene();
-            options_.camera = camera;
-            log::info("scene reloaded");
-        } catch (const Error& error) {
-            log::error("{}", scene_problem_ = error.what());
-        }
+}
+
+void Engine::reload_color() {
+    color_problem_.clear();
+    try {
+        color_ = ColorConfig(color_.file());
+        if (renderer_) renderer_->color_changed();
+        log::info("colour configuration reloaded");
+    } catch (const Error& error) {
+        log::error("{}", color_problem_ = error.what());
+    }
+}
+
+void Engine::reload_changed_scene() {
+    scene_problem_.clear();
+    try {
+        const std::string camera = options_.camera;
+        reload_scene();
+        options_.camera = camera;
+        log::info("scene reloaded");
+    } catch (const Error& error) {
+        log::error("{}", scene_problem_ = error.what());
     }
 }
 

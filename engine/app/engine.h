@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "color/color.h"
+#include "core/file_watch.h"
 #include "module/module_manager.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
@@ -76,6 +77,8 @@ class Engine {
 
  private:
     void replace_world(SceneFile next, const std::filesystem::path& file);
+    void reload_color();
+    void reload_changed_scene();
 
     ColorConfig color_;
     ComponentRegistry registry_;
@@ -88,8 +91,7 @@ class Engine {
 
     SceneFile scene_file_;
     std::filesystem::path scene_path_;
-    std::filesystem::file_time_type scene_time_{};
-    std::filesystem::file_time_type color_time_{};
+    FileWatch watch_;
     Assignments changes_;
     RenderOptions options_;
     RenderScene scene_;

@@ -5,7 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
+#include <iterator>
 #include <sstream>
 
 #include "core/error.h"
@@ -17,12 +17,6 @@ extern char** environ;
 namespace tyndall {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr double kLookEvery_s = 0.1;
-
-double now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// What is compiled into the library: shaders and captures are not.
 bool is_source(const fs::path& file) {
@@ -44,7 +38,7 @@ ModuleBuilder::ModuleBuilder(fs::path build, fs::path sources)
     : build_(std::move(build)),
       sources_(std::move(sources)),
       log_(build_ / ("module_build_" + std::to_string(getpid()) + ".log")) {
-    built_ = newest_sources();
+    watch_.add(sources_);
 }
 
 ModuleBuilder::~ModuleBuilder() {
@@ -55,14 +49,11 @@ ModuleBuilder::~ModuleBuilder() {
 
 void ModuleBuilder::update() {
     if (building()) finish();
-    if (building() || now_s() < next_look_s_) return;
-    next_look_s_ = now_s() + kLookEvery_s;
-    for (const auto& [module, time] : newest_sources())
-        if (const auto seen = built_.find(module); seen == built_.end() || seen->second != time) {
-            built_[module] = time;
-            start(module);
-            return;
-        }
+    for (const fs::path& file : watch_.changed()) {
+        const fs::path inside = file.lexically_relative(sources_);
+        if (is_source(file) && std::distance(inside.begin(), inside.end()) == 2) due_.insert(inside.begin()->string());
+    }
+    if (!building() && !due_.empty()) start(due_.extract(due_.begin()).value());
 }
 
 std::string ModuleBuilder::problems() const {
@@ -70,20 +61,6 @@ std::string ModuleBuilder::problems() const {
     for (const auto& [module, text] : problems_)
         all += "module " + module + " does not build (the last good build runs on):\n" + text;
     return all;
-}
-
-std::map<std::string, ModuleBuilder::Time> ModuleBuilder::newest_sources() const {
-    std::map<std::string, Time> newest;
-    std::error_code ignored;
-    for (const auto& module : fs::directory_iterator(sources_, ignored)) {
-        if (!module.is_directory(ignored)) continue;
-        for (const auto& file : fs::directory_iterator(module.path(), ignored)) {
-            const Time time = fs::last_write_time(file.path(), ignored);
-            if (is_source(file.path()) && !ignored)
-                newest[module.path().filename().string()] = std::max(newest[module.path().filename().string()], time);
-        }
-    }
-    return newest;
 }
 
 void ModuleBuilder::start(const std::string& module) {

@@ -3,9 +3,10 @@
 
 #include <filesystem>
 #include <map>
-#include <optional>
+#include <set>
 #include <string>
-#include <vector>
+
+#include "core/file_watch.h"
 
 namespace tyndall {
 
@@ -26,17 +27,15 @@ class ModuleBuilder {
     [[nodiscard]] std::string problems() const;
 
  private:
-    using Time = std::filesystem::file_time_type;
-    [[nodiscard]] std::map<std::string, Time> newest_sources() const;
     void start(const std::string& module);
     void finish();
 
     std::filesystem::path build_, sources_, log_;
-    std::map<std::string, Time> built_;  ///< by module: the newest source that a build has seen
+    FileWatch watch_;
+    std::set<std::string> due_;  ///< modules whose sources were saved
     std::map<std::string, std::string> problems_;
     std::string module_;  ///< under way
     int process_ = 0;
-    double next_look_s_ = 0.0;
 };
 
 }  // namespace tyndall

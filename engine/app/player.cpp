@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 
 #include "app/capture.h"
+#include "core/clock.h"
 #include "core/log.h"
 #include "core/paths.h"
 #include "image/image_io.h"
@@ -15,13 +15,6 @@
 
 namespace tyndall {
 namespace {
-
-constexpr double kWatchEvery_s = 0.2;
-constexpr double kLongestStep_s = 0.1;  // a hitch must not throw the walker through a wall
-
-double now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 platform::WindowDesc window_desc(const PlayerOptions& options) {
     return {.title = "Tyndall - " + options.scene.stem().string(),
@@ -52,12 +45,9 @@ Player::Player(const PlayerOptions& options)
 Player::~Player() = default;
 
 void Player::run() {
-    double last = now_s();
-    for (int count = 0; !window_.close_requested() && (options_.frames == 0 || count < options_.frames); ++count) {
-        const double now = now_s();
-        frame(options_.frames > 0 ? 1.0 / 60.0 : std::min(now - last, kLongestStep_s));
-        last = now;
-    }
+    FrameClock clock = options_.frames > 0 ? FrameClock::fixed(1.0 / 60.0) : FrameClock::real();
+    for (int count = 0; !window_.close_requested() && (options_.frames == 0 || count < options_.frames); ++count)
+        frame(clock.tick().step_s);
     if (!options_.screenshot.empty()) save_screenshot(options_.screenshot);
 }
 
@@ -185,8 +175,6 @@ void Player::collect_colliders() {
 void Player::watch() {
     if (!options_.watch) return;
     builder_->update();
-    if (now_s() < next_watch_s_) return;
-    next_watch_s_ = now_s() + kWatchEvery_s;
     engine_.reload_changed();
 }
 

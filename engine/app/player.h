@@ -66,7 +66,6 @@ class Player {
     float exposure_steps_ = 0.0f;        ///< stops added by the user
     size_t target_ = 0;                  ///< 0 = the picture, else a target of Renderer::views
     uint64_t colliders_version_ = 0;
-    double next_watch_s_ = 0.0;
     bool show_help_ = false, show_statistics_ = false, paused_ = false, screenshot_due_ = false;
 };
 

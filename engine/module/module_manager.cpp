@@ -22,12 +22,6 @@ std::vector<std::string> split(std::string_view list) {
     return parts;
 }
 
-fs::file_time_type written(const fs::path& file) {
-    std::error_code failed;
-    const auto time = fs::last_write_time(file, failed);
-    return failed ? fs::file_time_type{} : time;
-}
-
 }  // namespace
 
 const char* abi_tag() {
@@ -55,7 +49,9 @@ std::string_view name_of(ModuleState state) {
 }
 
 ModuleManager::ModuleManager(ModuleHost host, fs::path folder, fs::path sources)
-    : host_(std::move(host)), folder_(std::move(folder)), sources_(std::move(sources)) {}
+    : host_(std::move(host)), folder_(std::move(folder)), sources_(std::move(sources)) {
+    watch_.add(folder_);
+}
 
 ModuleManager::~ModuleManager() {
     while (!order_.empty()) unload(order_.back());
@@ -68,7 +64,6 @@ bool ModuleManager::load(const std::string& name) {
     try {
         check_name(name);
         state = ModuleState::wrong_interface;
-        const auto time = written(file(name));
         auto library = std::make_unique<ModuleLibrary>(file(name), name);
         check_dependencies(*library, state);
         state = ModuleState::failed;
@@ -79,7 +74,6 @@ bool ModuleManager::load(const std::string& name) {
         entry.kept.restore(host_, *entry.registration);
         entry.state = ModuleState::loaded;
         entry.problem.clear();
-        entry.time = time;
         order_.push_back(name);
         loading_.pop_back();
         return true;
@@ -92,7 +86,6 @@ bool ModuleManager::load(const std::string& name) {
 bool ModuleManager::reload(const std::string& name) {
     if (!loaded(name)) return load(name);
     Entry& entry = modules_[name];
-    entry.time = written(file(name));
     try {
         ModuleState state = ModuleState::wrong_interface;
         auto next = std::make_unique<ModuleLibrary>(file(name), name);
@@ -136,14 +129,14 @@ void ModuleManager::unload(const std::string& name) {
 }
 
 std::vector<std::string> ModuleManager::reload_changed() {
-    std::vector<std::string> changed;
-    for (const std::string& name : std::vector<std::string>(order_)) {
-        const auto time = written(file(name));
-        if (time == fs::file_time_type{} || time == modules_[name].time) continue;
+    std::vector<std::string> reloaded;
+    for (const fs::path& file : watch_.changed()) {
+        const std::string name = file.stem().string();
+        if (file.extension() != ".so" || !loaded(name)) continue;
         reload(name);
-        changed.push_back(name);
+        reloaded.push_back(name);
     }
-    return changed;
+    return reloaded;
 }
 
 bool ModuleManager::loaded(std::string_view name) const {

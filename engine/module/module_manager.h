@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/file_watch.h"
 #include "module/kept_state.h"
 #include "module/library.h"
 #include "module/registration.h"
@@ -50,7 +50,6 @@ class ModuleManager {
     void unload(const std::string& name);
     /// Reloads the modules whose file changed since they were loaded. Returns their names.
     std::vector<std::string> reload_changed();
-    /// Drops module passes' and seams' ties when the renderer goes, and sets them again when one comes.
     [[nodiscard]] bool loaded(std::string_view name) const;
 
     /// All modules: those in the folder and those asked for.
@@ -65,7 +64,6 @@ class ModuleManager {
         KeptState kept;
         ModuleState state = ModuleState::available;
         std::string problem;
-        std::filesystem::file_time_type time{};
     };
     [[nodiscard]] std::filesystem::path file(const std::string& name) const;
     void check_name(const std::string& name) const;
@@ -76,7 +74,8 @@ class ModuleManager {
     ModuleHost host_;
     std::filesystem::path folder_, sources_;
     std::map<std::string, Entry> modules_;
-    std::vector<std::string> order_;    // of loading: dependants come later
+    std::vector<std::string> order_;  // of loading: dependants come later
+    FileWatch watch_;
     std::vector<std::string> loading_;  // guards against circles
 };
 
