@@ -63,7 +63,20 @@ std::vector<std::string> Settings::names() const {
 }
 
 void Settings::reset() {
-    for (auto& entry : self_->entries) entry.value = StructObject(*entry.type);
+    for (auto& entry : self_->entries) {  // in place: references to the objects stay good
+        entry.type->destroy(entry.value.get());
+        entry.type->construct(entry.value.get());
+    }
+}
+
+uint64_t Settings::fingerprint() const {
+    uint64_t hash = self_->entries.size();
+    for (const auto& entry : self_->entries) {
+        if (!entry.type->trivial) continue;
+        const std::string_view bytes(static_cast<const char*>(entry.value.get()), entry.type->size);
+        hash = hash * 0x9e3779b97f4a7c15u + std::hash<std::string_view>{}(bytes);
+    }
+    return hash;
 }
 
 }  // namespace tyndall

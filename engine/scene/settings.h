@@ -26,7 +26,7 @@ class Settings {
     /// Destroys the settings of that name, if there are any: before the module that brought them leaves.
     void remove(std::string_view name);
 
-    /// The settings of that type; they must have been added.
+    /// The settings of that type; they must have been added. The object stays where it is until it is removed.
     template <class T>
     [[nodiscard]] const T& get() const {
         return *static_cast<const T*>(find(T::kName));
@@ -42,6 +42,9 @@ class Settings {
     [[nodiscard]] std::string owner(std::string_view name) const;
     /// All names in the order they were added.
     [[nodiscard]] std::vector<std::string> names() const;
+    /// Changes when a value of a trivially copyable settings struct does: what was made from settings compares it each
+    /// frame.
+    [[nodiscard]] uint64_t fingerprint() const;
     /// Everything back to its defaults: before another scene is loaded.
     void reset();
 
