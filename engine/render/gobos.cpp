@@ -17,7 +17,7 @@ constexpr gpu::Format kFormat = gpu::Format::rgba16f;
 /// Largest side among the images, a power of two within the limits.
 int common_size(const std::vector<const TextureAsset*>& images) {
     int largest = 1;
-    for (const TextureAsset* image : images) largest = std::max({largest, image->image.width(), image->image.height()});
+    for (const TextureAsset* image : images) largest = std::max({largest, image->image.width, image->image.height});
     int size = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::min(largest, kLargest))));
     const auto bytes = [&] {
         return static_cast<size_t>(size) * static_cast<size_t>(size) * images.size() * gpu::bytes_per_texel(kFormat);

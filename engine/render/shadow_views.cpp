@@ -121,8 +121,8 @@ class Planner {
         const glm::mat3 light_from_world = glm::transpose(glm::mat3(light.transform));
         LightBox whole;
         for (int corner = 0; corner < 8; ++corner) {
-            const glm::vec3 at(corner & 1 ? bounds_.max.x : bounds_.min.x, corner & 2 ? bounds_.max.y : bounds_.min.y,
-                               corner & 4 ? bounds_.max.z : bounds_.min.z);
+            const glm::vec3 at(corner & 1 ? bounds_.high.x : bounds_.low.x, corner & 2 ? bounds_.high.y : bounds_.low.y,
+                               corner & 4 ? bounds_.high.z : bounds_.low.z);
             whole.low = glm::min(whole.low, light_from_world * at);
             whole.high = glm::max(whole.high, light_from_world * at);
         }
@@ -221,9 +221,9 @@ void pack(ShadowPlan& plan) {
 ShadowPlan plan_shadows(const RenderScene& scene, const Bounds& bounds, glm::vec2 tan_half_fov,
                         const ShadowLimits& limits) {
     ShadowPlan plan;
-    const bool anything = glm::all(glm::lessThanEqual(bounds.min, bounds.max)) &&
-                          !glm::any(glm::isinf(bounds.min + bounds.max)) &&
-                          !glm::any(glm::isnan(bounds.min + bounds.max));
+    const bool anything = glm::all(glm::lessThanEqual(bounds.low, bounds.high)) &&
+                          !glm::any(glm::isinf(bounds.low + bounds.high)) &&
+                          !glm::any(glm::isnan(bounds.low + bounds.high));
     if (!anything) return plan;
     // Halving the sizes of all lights alike until they fit keeps the balance that the author chose.
     ShadowLimits fitting = limits;
