@@ -32,14 +32,23 @@ Engine::~Engine() {
 void Engine::load_scene(const fs::path& file, const Assignments& changes) {
     SceneFile next = SceneFile::load(file);
     for (const auto& [pointer, value] : changes) next.set(pointer, value);
-    for (const std::string& name : next.modules()) modules_->load(name);
+    const std::vector<std::string> before = modules_->in_use();
+    use_modules(next.modules());
     if (std::vector<Diagnostic> problems = next.validate(registry_, settings_); !problems.empty()) {
+        use_modules(before);
         for (Diagnostic& problem : problems)
             if (problem.where.file.empty()) problem.where.file = file.string();
         throw Error(std::move(problems));
     }
     replace_world(std::move(next), file);
     changes_ = changes;
+}
+
+/// Modules that leave keep what the world had of theirs until they come back.
+void Engine::use_modules(const std::vector<std::string>& wanted) {
+    for (const std::string& name : std::vector<std::string>(modules_->in_use()))
+        if (std::ranges::find(wanted, name) == wanted.end()) modules_->unload(name);
+    for (const std::string& name : wanted) modules_->load(name);
 }
 
 void Engine::reload_scene() {

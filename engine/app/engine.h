@@ -35,8 +35,8 @@ class Engine {
     Engine(const Engine&) = delete;
     Engine& operator=(const Engine&) = delete;
 
-    /// Loads the scene's modules, checks it against all descriptions, and replaces the world. Throws Error with every
-    /// problem, and then the scene before goes on.
+    /// Loads the modules that the scene lists and unloads all others, checks it against all descriptions, and replaces
+    /// the world. Throws Error with every problem, and then the scene before goes on.
     void load_scene(const std::filesystem::path& file, const Assignments& changes = {});
     /// The same file again with the same changes.
     void reload_scene();
@@ -76,6 +76,7 @@ class Engine {
     [[nodiscard]] std::string scene_text() const { return scene_file_.text(); }
 
  private:
+    void use_modules(const std::vector<std::string>& wanted);
     void replace_world(SceneFile next, const std::filesystem::path& file);
     void reload_color();
     void reload_changed_scene();

@@ -52,6 +52,8 @@ class ModuleManager {
     std::vector<std::string> reload_changed();
     [[nodiscard]] bool loaded(std::string_view name) const;
 
+    /// The loaded ones, in order of loading.
+    [[nodiscard]] const std::vector<std::string>& in_use() const { return order_; }
     /// All modules: those in the folder and those asked for.
     [[nodiscard]] std::vector<ModuleReport> reports() const;
     /// Names of the module folder.
