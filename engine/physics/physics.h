@@ -12,6 +12,7 @@
 #define INOUT(T) T&
 namespace tyndall::physics {
 using namespace glm;
+using glm::log;  // beside the namespace tyndall::log
 #include "physics/all.glsl"
 }  // namespace tyndall::physics
 #undef FN

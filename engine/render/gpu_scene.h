@@ -4,8 +4,11 @@
 /// Uploads happen on first use, keyed by the assets' ids, and are freed when unused for a while. Surfaces that share
 /// mesh and material are drawn as instances of one call.
 
+#include <functional>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "gpu/gpu.h"
 #include "gpu/shader_library.h"
@@ -22,11 +25,12 @@ struct DrawView {
     bool casters_only = false;        ///< leaves out those that cast no shadow
 };
 
-/// Programs of one way to draw surfaces; both use the vertex shader "render/shaders/surface.vert", the masked one with
-/// ALPHA_MASK defined: it samples and tests the alpha.
-struct SurfacePrograms {
-    const gpu::Program& opaque;
-    const gpu::Program& masked;
+/// A way to draw surfaces: the vertex shader render/shaders/surface.vert, and a fragment shader that includes
+/// render/shaders/material.glsl. It is compiled once for each set of features that materials ask for.
+struct SurfaceShader {
+    std::string name;                  ///< for messages and timings
+    std::string fragment;              ///< file
+    std::vector<std::string> defines;  ///< besides those of the features
 };
 
 /// A frame's surfaces on the GPU.
@@ -41,10 +45,11 @@ class GpuScene {
     /// been unused for some frames. `seams` numbers the shading models.
     void update(const RenderScene& scene, const Seams& seams);
 
-    /// Draws into the bound framebuffer with the depth state as it is. Sets the programs' `clip_from_world`, blocks and
-    /// material textures; other uniforms must have been set. Culls back faces but for double-sided materials. Returns
-    /// the triangles drawn.
-    size_t draw(const DrawView& view, const SurfacePrograms& programs);
+    /// Draws into the bound framebuffer with the depth state as it is. `bind` is called after use() of each program
+    /// that takes part, to set what the shader needs besides surfaces and materials; it may be empty. Culls back faces
+    /// but those of double-sided materials. Returns the triangles drawn.
+    size_t draw(const DrawView& view, const SurfaceShader& shader,
+                const std::function<void(const gpu::Program&)>& bind);
     /// Fills the bound depth target alone (shadow maps, prepasses).
     size_t draw_depth(const DrawView& view);
 
@@ -53,8 +58,10 @@ class GpuScene {
     [[nodiscard]] uint64_t casters_hash(const glm::mat4& clip_from_world) const;
 
     /// The asset as a texture, rows as they are: v = 0 is the image's top, as in glTF.
-    [[nodiscard]] const gpu::Texture& texture(const std::shared_ptr<const TextureAsset>& asset);
+    [[nodiscard]] const gpu::Texture& texture(const TextureAsset& asset);
 
+    /// Of all surfaces of the frame; empty without any.
+    [[nodiscard]] const Bounds& bounds() const;
     /// Triangles drawn since the last update, all passes together.
     [[nodiscard]] size_t triangles_drawn() const;
 

@@ -1,0 +1,70 @@
+#pragma once
+/// Materials as the shaders read them, and which variant of a program each needs.
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "gpu/gpu.h"
+#include "render/texture_cache.h"
+#include "scene/render_scene.h"
+
+namespace tyndall {
+
+class Seams;
+
+/// What a program must be compiled with for a material: one bit, one #define. A texture that is not there costs
+/// nothing.
+enum MaterialFeature : uint32_t {
+    kBaseColourMap = 1u << 0,
+    kMetallicRoughnessMap = 1u << 1,
+    kNormalMap = 1u << 2,
+    kOcclusionMap = 1u << 3,
+    kEmissiveMap = 1u << 4,
+    kSpecularMap = 1u << 5,
+    kSpecularColourMap = 1u << 6,
+    kSharedOcclusion = 1u << 7,  ///< occlusion is the red of the metallic-roughness map
+    kUvTransform = 1u << 8,      ///< a map uses the second UV set or a transform
+    kAlphaMask = 1u << 9,
+};
+/// The #define names of the features' bits.
+[[nodiscard]] std::vector<std::string> feature_defines(uint32_t features);
+
+/// The struct MaterialRecord of render/shaders/surfaces.glsl.
+struct MaterialRecord {
+    glm::vec4 base_colour;
+    glm::vec4 emissive_normal_scale;
+    glm::vec4 metallic_roughness_occlusion_cutoff;
+    glm::vec4 specular_colour_weight;
+    glm::vec4 ior_model;  ///< x index of refraction, y number of the shading model
+    glm::vec4 uv_rows[14];
+};
+
+/// A frame's materials: records by index, uploaded as the block "Materials".
+class MaterialTable {
+ public:
+    /// Forgets the last frame's materials.
+    void begin();
+    /// The index of a material's record, added when new in this frame.
+    uint32_t add(const Material& material, const Seams& seams, TextureCache& textures);
+    void upload();
+
+    [[nodiscard]] uint32_t features(uint32_t index) const { return entries_[index].features; }
+    [[nodiscard]] bool double_sided(uint32_t index) const { return entries_[index].material->double_sided; }
+    [[nodiscard]] uint64_t id(uint32_t index) const { return entries_[index].material->id; }
+    /// Binds the textures of the features that the program was compiled with.
+    void bind(uint32_t index, const gpu::Program& program, TextureCache& textures) const;
+    [[nodiscard]] const gpu::Buffer& buffer() const { return buffer_; }
+
+ private:
+    struct Entry {
+        const Material* material;
+        uint32_t features;
+    };
+    std::vector<Entry> entries_;
+    std::vector<MaterialRecord> records_;
+    std::unordered_map<const Material*, uint32_t> index_;
+    gpu::Buffer buffer_;
+};
+
+}  // namespace tyndall

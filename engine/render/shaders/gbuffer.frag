@@ -1,0 +1,20 @@
+// Fills the G-buffer; THIN: only what lights need.
+#include "render/shaders/gbuffer.glsl"
+#include "render/shaders/material.glsl"
+
+layout(location = 0) out vec4 gbuffer_normal;
+#ifndef THIN
+layout(location = 1) out vec4 gbuffer_base;
+layout(location = 2) out vec4 gbuffer_f0;
+layout(location = 3) out vec4 gbuffer_emissive;
+#endif
+
+void main() {
+    MaterialPoint point = material_at();
+    gbuffer_normal = encode_lit_point(point.normal, point.roughness, point.occlusion, point.model);
+#ifndef THIN
+    gbuffer_base = vec4(point.material.base_color, point.material.metallic);
+    gbuffer_f0 = vec4(point.material.f0, point.material.f90);
+    gbuffer_emissive = vec4(point.emissive, 0.0);
+#endif
+}

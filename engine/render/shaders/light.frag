@@ -1,0 +1,30 @@
+// Adds one light to the light buffers, at the pixels inside its volume.
+#include "render/shaders/frame.glsl"
+#include "render/shaders/lights.glsl"
+#include "render/shaders/gbuffer.glsl"
+#include "seams/shading_model.glsl"
+#include "seams/light_transmittance.glsl"
+
+uniform sampler2D scene_depth;
+uniform sampler2D gbuffer_normal;
+uniform uint light_index;
+
+layout(location = 0) out vec4 light_diffuse;
+layout(location = 1) out vec4 light_specular_a;
+layout(location = 2) out vec4 light_specular_b;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec2 uv = gl_FragCoord.xy / frame.size_time.xy;
+    LitPoint lit = decode_lit_point(texelFetch(gbuffer_normal, pixel, 0));
+    vec3 position = world_from_depth(uv, texelFetch(scene_depth, pixel, 0).x);
+
+    LightSample light;
+    light.irradiance = light_irradiance(light_index, position, light.direction_to_light);
+    light.irradiance *= light_transmittance(light_index, position, lit.normal);
+    ShadingPoint point = ShadingPoint(position, lit.normal, -eye_ray(uv), lit.roughness, lit.model, uv);
+    LightTerms terms = shade(lit.model, point, light);
+    light_diffuse = vec4(terms.diffuse, 0.0);
+    light_specular_a = vec4(terms.specular_a, 0.0);
+    light_specular_b = vec4(terms.specular_b, 0.0);
+}
