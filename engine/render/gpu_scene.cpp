@@ -116,7 +116,7 @@ void GpuScene::Implementation::collect_visible(const DrawView& view, bool depth_
         if (depth_only) one.features = (one.features & kAlphaMask) != 0 ? one.features & kDepthFeatures : 0;
         one.material = depth_only && one.features == 0 ? kNoMaterial : item.material;
         one.mesh = item.mesh;
-        one.two_sided = materials.double_sided(item.material);
+        one.two_sided = view.casters_only || materials.double_sided(item.material);
         one.mirrored = item.mirrored;
         one.item = uint32_t(i);
         one.distance2 = distance2(item.surface->bounds, view.eye);

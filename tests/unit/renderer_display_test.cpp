@@ -69,8 +69,8 @@ TEST_F(RendererDisplay, DitherIsOneStepAndKeepsTheMean) {
     settings_->get<ImageSettings>().dither = false;
     std::vector<float> exact{0.2f, 0.2f, 0.2f};
     color_.apply_display(exact);
-    for (const float value : render(scene, {64, 64}, "display").floats())
-        ASSERT_NEAR(value, exact[0], 0.5f / 255.0f + 1e-4f);
+    const Image plain = render(scene, {64, 64}, "display");
+    for (const float value : plain.floats()) ASSERT_NEAR(value, exact[0], 0.5f / 255.0f + 1e-4f);
     settings_->get<ImageSettings>().dither = true;
     for (const uint64_t frame : {0u, 1u, 500u}) {
         scene.frame = frame;
@@ -83,7 +83,8 @@ TEST_F(RendererDisplay, DitherIsOneStepAndKeepsTheMean) {
         EXPECT_NEAR(sum / double(image.value_count()), double(exact[0]), 0.05 / 255.0);
     }
     scene.sky.radiance = glm::vec3(0.0f);
-    for (const float value : render(scene, {64, 64}, "display").floats()) ASSERT_EQ(value, 0.0f);
+    const Image black = render(scene, {64, 64}, "display");
+    for (const float value : black.floats()) ASSERT_EQ(value, 0.0f);
 }
 
 /// The size of steps between neighbours along the edge of a bright sphere.

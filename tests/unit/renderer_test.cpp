@@ -106,7 +106,8 @@ TEST_F(RendererTest, AnEmptySceneIsTheSky) {
     RenderScene scene;
     for (const std::string& path : Renderer::paths()) {
         renderer_->set_path(path);
-        for (const float value : render(scene).floats()) ASSERT_EQ(value, 0.0f);
+        const Image black = render(scene);
+        for (const float value : black.floats()) ASSERT_EQ(value, 0.0f);
     }
     scene.sky.radiance = {1, 2, 3};
     EXPECT_EQ(centre(render(scene)), glm::vec3(1, 2, 3));
@@ -191,6 +192,7 @@ TEST_F(RendererTest, EveryTargetCanBeShown) {
         }
         renderer_->show("");
     }
+    renderer_->set_path("deferred");
     EXPECT_EQ(hash(render(scene, {160, 90}, "display")), hash(shown));
 }
 
