@@ -9,7 +9,8 @@ namespace tyndall {
 std::string Diagnostic::text() const {
     std::string out;
     if (!where.file.empty()) out += where.file + ":";
-    if (where.line > 0) out += std::to_string(where.line) + ":" + std::to_string(where.column) + ":";
+    if (where.line > 0) out += std::to_string(where.line) + ":";
+    if (where.line > 0 && where.column > 0) out += std::to_string(where.column) + ":";
     if (!out.empty()) out += " ";
     if (!where.pointer.empty()) out += where.pointer + ": ";
     out += message;

@@ -251,7 +251,7 @@ void Window::capture_mouse(bool captured) {
     if (captured == mouse_captured()) return;
     glfwSetInputMode(self_->window, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
     if (glfwRawMouseMotionSupported()) glfwSetInputMode(self_->window, GLFW_RAW_MOUSE_MOTION, captured);
-    self_->pointer_known = false;
+    glfwGetCursorPos(self_->window, &self_->pointer.x, &self_->pointer.y);  // capturing moves it
 }
 
 bool Window::mouse_captured() const {
