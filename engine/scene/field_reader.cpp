@@ -132,6 +132,11 @@ size_t float_count(FieldKind kind) {
     }
 }
 
+const Field* find_switch(const StructType& type) {
+    const Field* field = type.find("enabled");
+    return field && field->kind == FieldKind::boolean ? field : nullptr;
+}
+
 Field list_element(const Field& list) {
     Field element = *list.element;
     element.unit = list.unit;
@@ -210,6 +215,8 @@ std::string read_field(const Field& field, void* at, const JsonValue& json, Prob
         case FieldKind::enumeration:
             return read_enumeration(field, at, json, problems), std::string{};
         case FieldKind::structure:
+            if (const Field* on = find_switch(*field.type); on && json.is(Kind::object))
+                *static_cast<bool*>(on->in(at)) = true;
             return read_struct(*field.type, at, json, problems, unknown);
         case FieldKind::choice:
             return read_choice(field, at, json, problems, unknown);

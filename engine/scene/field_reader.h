@@ -30,6 +30,9 @@ bool read_real(const Field& field, float& out, const JsonValue& json, Problems& 
 /// The floats of a real, vector or quaternion field; 0 for other kinds.
 [[nodiscard]] size_t float_count(FieldKind kind);
 
+/// The boolean "enabled" of a nested object, or null. Writing such an object switches it on: `"shadow": {}`.
+[[nodiscard]] const Field* find_switch(const StructType& type);
+
 /// What one element of a list must be: the list's unit and range hold for each.
 [[nodiscard]] Field list_element(const Field& list);
 

@@ -4,6 +4,7 @@
 
 #include "scene/field_reader.h"
 #include "scene/json_text.h"
+#include "scene/struct_object.h"
 
 namespace tyndall {
 namespace {
@@ -59,6 +60,15 @@ std::string write_members(const StructType& type, const void* base, const void* 
             base ? write_field_changes(field, field.in(base), field.in(object)) : write_field(field, field.in(object));
     }
     return out.empty() ? "{}" : out + " }";
+}
+
+/// The object's being there switches it on, so that is what "enabled" is compared with.
+std::string write_nested_changes(const StructType& type, const void* base, const void* object) {
+    const Field* on = find_switch(type);
+    if (!on) return write_members(type, base, object);
+    StructObject switched(type, base);
+    *static_cast<bool*>(on->in(switched.get())) = true;
+    return write_members(type, switched.get(), object);
 }
 
 }  // namespace
@@ -123,7 +133,7 @@ std::string write_struct(const StructType& type, const void* object) {
 }
 
 std::string write_field_changes(const Field& field, const void* base, const void* at) {
-    if (field.kind == FieldKind::structure) return write_struct_changes(*field.type, base, at);
+    if (field.kind == FieldKind::structure) return write_nested_changes(*field.type, base, at);
     if (field.kind == FieldKind::choice && field.choice_index(base) == field.choice_index(at))
         return one_key(field.names[field.choice_index(at)],
                        write_struct_changes(alternative(field, at), field.choice_value(mutable_pointer(base)),

@@ -24,6 +24,9 @@
 
 namespace tyndall {
 
+/// A number for a mesh, texture or material that no other in the process has: never 0, never given twice. Thread-safe.
+[[nodiscard]] uint64_t new_asset_id();
+
 /// A triangle mesh that is loaded once and shared. `id` is unique in the process and changes when the content does.
 struct MeshAsset {
     uint64_t id = 0;
@@ -141,7 +144,8 @@ enum class PhaseKind : int32_t {
     mie_droplets
 };
 
-/// `whole_scene` is the bounding box of all surfaces, lights with a place, and the camera: fog without an end would let no sunlight in.
+/// `whole_scene` is the bounding box of all surfaces, lights with a place, and the camera: fog without an end would let
+/// no sunlight in.
 enum class MediumShape : uint32_t { whole_scene, box };
 
 /// A homogeneous participating medium. Overlapping media add.
@@ -185,7 +189,8 @@ struct Camera {
 
 /// One frame's worth of world.
 struct RenderScene {
-    Camera camera;
+    Camera camera;                ///< the one that is looked through
+    std::vector<Camera> cameras;  ///< all of the scene; their entities' names choose
     Sky sky;
     std::vector<Surface> surfaces;
     std::vector<Light> lights;
@@ -194,7 +199,7 @@ struct RenderScene {
     double time_s = 0.0;
     uint64_t frame = 0;
     bool camera_cut = false;  ///< history is dropped
-    /// Clears lists and keeps their memory.
+    /// Forgets what extraction makes and keeps the lists' memory; time, frame and cut stay.
     void clear();
 };
 

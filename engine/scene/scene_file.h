@@ -74,9 +74,6 @@ class SceneFile {
 /// Missing fields keep their defaults; unknown ones are returned, not lost. Problems are appended to `problems`.
 std::string component_from_json(const StructType& type, void* component, std::string_view json,
                                 std::vector<Diagnostic>& problems);
-/// Two JSON objects as one: members of `extra` that `base` lacks are added, objects that both have are merged. An empty
-/// text is an empty object. Throws Error when one is no object.
-[[nodiscard]] std::string merge_json(std::string_view base, std::string_view extra);
 
 /// A JSON Schema (2020-12 subset that editors accept) of scene files for these descriptions.
 [[nodiscard]] std::string scene_schema(const ComponentRegistry& registry, const Settings& settings);

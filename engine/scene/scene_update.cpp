@@ -58,6 +58,14 @@ class Update {
         return true;
     }
 
+    [[nodiscard]] bool is_camera(const std::string& name) const {
+        const Entity entity = world_.find_named(name);
+        const auto has = [&](std::string_view component) {
+            return world_.find(entity, world_.registry().find(component)) != nullptr;
+        };
+        return !name.empty() && entity && is_saved(entity) && (has("camera") || has("gltf"));
+    }
+
     void update_entities() {
         const std::vector<JsonValue>& values = entity_values(state_.document);
         std::vector<bool> removed(values.size());
@@ -173,7 +181,8 @@ class Update {
         update_text("path", options.path, defaults.path);
         update_text("display", options.display, defaults.display);
         update_text("view", options.view, defaults.view);
-        update_text("camera", options.camera, defaults.camera);
+        // A camera that is gone is not asked for: the file would not load.
+        update_text("camera", is_camera(options.camera) ? options.camera : "", defaults.camera);
         for (const std::string& name : settings.names()) {
             const StructType& type = *settings.type(name);
             const void* now = settings.find(name);

@@ -12,6 +12,21 @@ namespace {
 
 using Kind = JsonValue::Kind;
 
+/// The camera that "render" asks for must be there: an entity with a camera of its own or from a glTF file.
+void check_camera(const JsonDocument& document, Problems& problems) {
+    const JsonMember* render = document.root.find("render");
+    const JsonMember* camera = render ? render->value.find("camera") : nullptr;
+    if (!camera || !camera->value.is(Kind::string) || camera->value.string.empty()) return;
+    std::vector<std::string> names;
+    for (const JsonValue& entity : entity_values(document))
+        if (entity.find("camera") || entity.find("gltf")) names.push_back(text_member(entity, "name"));
+    if (std::find(names.begin(), names.end(), camera->value.string) != names.end()) return;
+    const Problems::Step step(problems, "render");
+    const Problems::Step inner(problems, "camera");
+    problems.add(camera->value.begin, "no camera is named '" + camera->value.string + "'",
+                 "the name of an entity with a camera", nearest_name(camera->value.string, names));
+}
+
 class Validation {
  public:
     Validation(const JsonDocument& document, const ComponentRegistry& registry, const Settings& settings)
@@ -26,6 +41,7 @@ class Validation {
             const Problems::Step step(problems_, "render");
             for (const JsonMember& member : render->value.members) check_settings(member);
         }
+        check_camera(document_, problems_);
         const Problems::Step step(problems_, "entities");
         const std::vector<JsonValue>& entities = entity_values(document_);
         for (size_t i = 0; i < entities.size(); ++i) {

@@ -10,15 +10,13 @@
 
 namespace tyndall {
 
-/// Owns a default-constructed object of a described type and destroys it. The description need not outlive it; the code
-/// behind it must.
+/// Owns a default-constructed or copied object of a described type and destroys it. The description need not outlive
+/// it; the code behind it must.
 class StructObject {
  public:
-    explicit StructObject(const StructType& type)
-        : destroy_(type.destroy),
-          alignment_(std::align_val_t{type.alignment}),
-          memory_(::operator new(std::max<size_t>(type.size, 1), alignment_)) {
-        type.construct(memory_);
+    explicit StructObject(const StructType& type) : StructObject(type, Memory{}) { type.construct(memory_); }
+    StructObject(const StructType& type, const void* from) : StructObject(type, Memory{}) {
+        type.copy_construct(memory_, from);
     }
     ~StructObject() {
         if (!memory_) return;
@@ -40,6 +38,11 @@ class StructObject {
     [[nodiscard]] const void* get() const { return memory_; }
 
  private:
+    struct Memory {};
+    StructObject(const StructType& type, Memory)
+        : destroy_(type.destroy),
+          alignment_(std::align_val_t{type.alignment}),
+          memory_(::operator new(std::max<size_t>(type.size, 1), alignment_)) {}
     void (*destroy_)(void*);
     std::align_val_t alignment_;
     void* memory_;

@@ -90,8 +90,9 @@ TEST(SceneFile, AChangedFieldChangesOnlyItsOwnText) {
     EXPECT_EQ(after([](Stage& s) { s.world.find<Transform>(s.named("Väter/x"))->scale.y = 3.0f; }),
               exchanged(kSample, "\"scale\": 2", "\"scale\": [2, 3, 2]"));
     EXPECT_EQ(after([](Stage& s) { s.settings.get<March>().steps = 64; }), exchanged(kSample, "48", "64"));
-    EXPECT_EQ(after([](Stage& s) { s.options.camera = "Eye"; }),
-              exchanged(kSample, "\"march\": { \"steps\": 48 }", "\"march\": { \"steps\": 48 }, \"camera\": \"Eye\""));
+    EXPECT_EQ(
+        after([](Stage& s) { s.options.display = "sRGB"; }),
+        exchanged(kSample, "\"march\": { \"steps\": 48 }", "\"march\": { \"steps\": 48 }, \"display\": \"sRGB\""));
 }
 
 TEST(SceneFile, ComponentsAndEntitiesComeAndGo) {
@@ -133,12 +134,12 @@ TEST(SceneFile, ASceneGrowsFromNothing) {
     const Entity a = stage.world.create();
     stage.world.set_name(a, "A");
     stage.world.add<Transform>(a, {.translation = {1.0f, 2.0f, 3.0f}});
-    stage.options.camera = "A";
+    stage.options.view = "V";
     scene.update(stage.world, stage.settings, stage.options);
     EXPECT_EQ(
         scene.text(),
         "{\n  \"tyndall\": 1,\n  \"entities\": [{ \"name\": \"A\", \"transform\": { \"translation\": [1, 2, 3] } }],\n"
-        "  \"render\": { \"camera\": \"A\" }\n}\n");
+        "  \"render\": { \"view\": \"V\" }\n}\n");
     const Entity b = stage.world.create();
     stage.world.set_name(b, std::string(100, 'b'));
     scene.update(stage.world, stage.settings, stage.options);
