@@ -15,6 +15,13 @@ EntityKey key_of(Entity entity) {
     return {entity.index, entity.generation};
 }
 
+/// Forgets entities that are no more, now and then.
+template <class Map>
+void drop_dead(Map& map, const World& world) {
+    if (map.size() > 64 + 2 * world.size())
+        std::erase_if(map, [&](const auto& entry) { return !world.alive({entry.first.first, entry.first.second}); });
+}
+
 /// Whether a walking camera collides with an entity's meshes.
 bool collides(const World& world, Entity entity) {
     for (Entity at = entity; at; at = world.parent(at))
@@ -30,6 +37,7 @@ class Materials {
         const auto* component = context.world.find<MaterialComponent>(context.entity);
         if (!component) return nullptr;
         const Textures textures = load(context.assets, *component);
+        drop_dead(entries_, context.world);
         Entry& entry = entries_[key_of(context.entity)];
         if (!entry.material || entry.component != *component || entry.textures != textures) {
             entry.component = *component;
@@ -193,6 +201,7 @@ struct ShapeState {
     void extract_gltf(const ExtractContext& context, const GltfComponent& from, RenderScene& scene) {
         if (from.file.empty()) throw Error("a gltf needs a file");
         const std::shared_ptr<const GltfAsset> asset = context.assets.gltf(from.file);
+        drop_dead(placed, context.world);
         PlacedGltf& place = placed[key_of(context.entity)];
         place.update(*asset, from);
         const std::shared_ptr<const Material> material = materials.of(context);

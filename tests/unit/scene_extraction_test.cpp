@@ -1,0 +1,211 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "color/color.h"
+#include "core/paths.h"
+#include "ecs/transform.h"
+#include "scene/components.h"
+#include "scene/extraction.h"
+#include "scene/scene_file.h"
+#include "temporary_folder.h"
+
+namespace tyndall {
+namespace {
+
+/// One triangle, a lamp and a camera below a node that is turned and moved.
+constexpr std::string_view kGltf = R"({
+  "asset": { "version": "2.0" }, "scene": 0, "scenes": [ { "nodes": [0] } ],
+  "extensionsUsed": ["KHR_lights_punctual"],
+  "extensions": { "KHR_lights_punctual": { "lights": [ { "type": "point", "intensity": 7, "color": [1, 0.5, 0] } ] } },
+  "nodes": [
+    { "name": "root", "translation": [0, 1, 0], "scale": [2, 2, 2], "children": [1, 2, 3] },
+    { "name": "glass_pane", "mesh": 0, "translation": [1, 0, 0] },
+    { "name": "lamp", "translation": [0, 0, 3], "extensions": { "KHR_lights_punctual": { "light": 0 } } },
+    { "name": "eye", "camera": 0 } ],
+  "cameras": [ { "type": "perspective", "perspective": { "yfov": 0.5, "znear": 0.25 } } ],
+  "materials": [ { "name": "red", "pbrMetallicRoughness": { "baseColorFactor": [1, 0, 0, 1] } } ],
+  "meshes": [ { "primitives": [ { "attributes": { "POSITION": 0 }, "material": 0 } ] } ],
+  "accessors": [ { "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0] } ],
+  "bufferViews": [ { "buffer": 0, "byteLength": 36 } ],
+  "buffers": [ { "byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA" } ] })";
+
+class Extraction : public TemporaryFolder {
+ protected:
+    void SetUp() override {
+        TemporaryFolder::SetUp();
+        std::ofstream(folder_ / "thing.gltf") << kGltf;
+        assets_ = std::make_unique<AssetStore>(config_, folder_);
+        register_engine_components(registry_, extractors_);
+    }
+    /// Makes the entities of a scene file's "entities".
+    void load(std::string_view entities) {
+        SceneFile scene = SceneFile::parse("{ \"tyndall\": 1, \"entities\": [ " + std::string(entities) + " ] }", "t");
+        scene.instantiate(world_, settings_, options_);
+    }
+    std::vector<std::string> extract(std::string_view camera = {}) {
+        return extractors_.extract(world_, *assets_, camera, scene_);
+    }
+
+    ColorConfig config_{paths::root() / "config" / "color" / "tyndall.ocio"};
+    std::unique_ptr<AssetStore> assets_;
+    ComponentRegistry registry_;
+    Extractors extractors_;
+    Settings settings_;
+    RenderOptions options_;
+    World world_{registry_};
+    RenderScene scene_;
+};
+
+TEST_F(Extraction, LightsComeInTheRenderersUnits) {
+    load(R"({ "transform": { "translation": [1, 2, 3], "scale": 5 },
+              "spot_light": { "intensity_cd": 100, "colour": [1, 0.5, 0], "inner_angle_deg": 60, "outer_angle_deg": 30,
+                              "range_m": 9, "shadow": { "size": 256 } } },
+            { "directional_light": { "illuminance_lux": 1000, "angular_diameter_deg": 2, "shadow": { "cascades": 2 } } },
+            { "point_light": {} })");
+    EXPECT_TRUE(extract().empty());
+    ASSERT_EQ(scene_.lights.size(), 3u);
+    const auto of = [&](LightKind kind) {
+        return *std::find_if(scene_.lights.begin(), scene_.lights.end(),
+                             [&](const Light& l) { return l.kind == kind; });
+    };
+    const Light spot = of(LightKind::spot);
+    EXPECT_EQ(spot.intensity, glm::vec3(100, 50, 0));
+    EXPECT_FLOAT_EQ(spot.outer_angle, glm::radians(30.0f));
+    EXPECT_EQ(spot.inner_angle, spot.outer_angle);
+    EXPECT_EQ(spot.transform, glm::translate(glm::mat4(1.0f), {1, 2, 3})) << "rigid";
+    EXPECT_TRUE(spot.shadow.enabled);
+    EXPECT_EQ(spot.shadow.size, 256);
+    EXPECT_FLOAT_EQ(of(LightKind::directional).angular_radius, glm::radians(1.0f));
+    EXPECT_EQ(of(LightKind::directional).shadow.cascades, 2);
+    EXPECT_FALSE(of(LightKind::point).shadow.enabled);
+}
+
+TEST_F(Extraction, GltfNodesAreSurfacesLightsAndCameras) {
+    load(R"({ "name": "Thing", "transform": { "translation": [10, 0, 0] }, "collider": {},
+              "gltf": { "file": "thing.gltf", "cast_shadow_exclude": ["glass_*"] } })");
+    EXPECT_TRUE(extract().empty());
+    ASSERT_EQ(scene_.surfaces.size(), 1u);
+    const Surface& pane = scene_.surfaces[0];
+    EXPECT_EQ(glm::vec3(pane.transform[3]), glm::vec3(12, 1, 0));
+    EXPECT_EQ(pane.bounds.low, glm::vec3(12, 1, 0));
+    EXPECT_EQ(pane.bounds.high, glm::vec3(14, 3, 0));
+    EXPECT_FALSE(pane.casts_shadow);
+    EXPECT_TRUE(pane.collides);
+    EXPECT_EQ(pane.material->name, "red");
+    ASSERT_EQ(scene_.lights.size(), 1u);
+    EXPECT_EQ(scene_.lights[0].intensity, glm::vec3(7, 3.5f, 0));
+    EXPECT_EQ(glm::vec3(scene_.lights[0].transform[3]), glm::vec3(10, 1, 6));
+    EXPECT_NEAR(glm::length(glm::vec3(scene_.lights[0].transform[0])), 1.0f, 1e-6f);
+    EXPECT_EQ(scene_.camera.entity, world_.find_named("Thing"));
+    EXPECT_FLOAT_EQ(scene_.camera.vertical_fov, 0.5f);
+
+    // The next frame knows where everything was, and nothing is made anew.
+    const Surface before = pane;
+    world_.find<Transform>(world_.find_named("Thing"))->translation.x = 11.0f;
+    extract();
+    EXPECT_EQ(scene_.surfaces[0].previous_transform, before.transform);
+    EXPECT_EQ(glm::vec3(scene_.surfaces[0].transform[3]), glm::vec3(13, 1, 0));
+    EXPECT_EQ(scene_.surfaces[0].mesh, before.mesh);
+    EXPECT_EQ(scene_.surfaces[0].material, before.material);
+}
+
+TEST_F(Extraction, MaterialsAreMadeOnceForEachContent) {
+    load(R"({ "name": "Ball", "mesh": { "primitive": "sphere" }, "material": { "base_colour": [1, 0, 0] } },
+            { "mesh": { "primitive": "sphere" } }, { "mesh": { "primitive": "box" } })");
+    EXPECT_TRUE(extract().empty());
+    ASSERT_EQ(scene_.surfaces.size(), 3u);
+    const auto ball = [&] {
+        return *std::find_if(scene_.surfaces.begin(), scene_.surfaces.end(),
+                             [&](const Surface& s) { return s.entity == world_.find_named("Ball"); });
+    };
+    const Surface before = ball();
+    EXPECT_EQ(before.material->base_colour, glm::vec4(1, 0, 0, 1));
+    size_t same_mesh = 0;
+    for (const Surface& surface : scene_.surfaces) same_mesh += surface.mesh == before.mesh ? 1 : 0;
+    EXPECT_EQ(same_mesh, 2u);
+    extract();
+    EXPECT_EQ(ball().material, before.material);
+    world_.find<MaterialComponent>(world_.find_named("Ball"))->roughness = 0.1f;
+    extract();
+    EXPECT_NE(ball().material->id, before.material->id);
+    EXPECT_EQ(ball().material->roughness, 0.1f);
+    EXPECT_EQ(ball().mesh, before.mesh);
+}
+
+TEST_F(Extraction, ErrorsAreReportedOnceAndLeaveTheEntityOut) {
+    load(
+        R"({ "name": "Broken", "mesh": { "file": "none.obj" } }, { "name": "Fine", "mesh": { "primitive": "plane" } })");
+    const std::vector<std::string> problems = extract();
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_NE(problems[0].find("entity 'Broken', mesh: "), std::string::npos) << problems[0];
+    EXPECT_NE(problems[0].find("none.obj"), std::string::npos) << problems[0];
+    EXPECT_EQ(scene_.surfaces.size(), 1u);
+    EXPECT_TRUE(extract().empty());
+    world_.find<MeshComponent>(world_.find_named("Broken"))->primitive = Primitive::box;
+    EXPECT_EQ(extract().size(), 1u) << "a file and a primitive: another error";
+    world_.find<MeshComponent>(world_.find_named("Broken"))->file.clear();
+    EXPECT_TRUE(extract().empty());
+    EXPECT_EQ(scene_.surfaces.size(), 2u);
+    world_.find<MeshComponent>(world_.find_named("Broken"))->file = "none.obj";
+    EXPECT_EQ(extract().size(), 1u) << "broken again";
+}
+
+TEST_F(Extraction, AFailedExtractorTakesBackWhatItAdded) {
+    extractors_.add("camera_path", [](const ExtractContext&, const void*, RenderScene& scene) {
+        scene.surfaces.emplace_back();
+        scene.sky.radiance = glm::vec3(1.0f);
+        throw Error("half done");
+    });
+    load(R"({ "camera_path": {} })");
+    EXPECT_EQ(extract().size(), 1u);
+    EXPECT_TRUE(scene_.surfaces.empty());
+    EXPECT_EQ(scene_.sky.radiance, glm::vec3(0.0f));
+    extractors_.remove("camera_path");
+    EXPECT_TRUE(extract().empty());
+}
+
+TEST_F(Extraction, ProbesComeBoxedFirstAndSmallestFirst) {
+    extractors_.add("camera_path", [](const ExtractContext&, const void*, RenderScene& scene) {
+        scene.probes.push_back({.intensity = 1.0f});
+        scene.probes.push_back({.intensity = 2.0f, .extent_m = glm::vec3(4.0f)});
+        scene.probes.push_back({.intensity = 3.0f, .extent_m = glm::vec3(1.0f, 9.0f, 2.0f)});
+    });
+    load(R"({ "camera_path": {} })");
+    EXPECT_TRUE(extract().empty());
+    std::vector<float> order;
+    for (const LightProbe& probe : scene_.probes) order.push_back(probe.intensity);
+    EXPECT_EQ(order, (std::vector<float>{3.0f, 2.0f, 1.0f}));
+}
+
+TEST_F(Extraction, ChoosesTheCameraByName) {
+    load(R"({ "name": "Nave", "camera": { "vertical_fov_deg": 90, "ev100": 3 } },
+            { "name": "Altar", "camera": { "exposure": 2 } })");
+    EXPECT_TRUE(extract().empty());
+    EXPECT_EQ(scene_.camera.entity, world_.find_named("Nave"));
+    EXPECT_FLOAT_EQ(scene_.camera.vertical_fov, glm::radians(90.0f));
+    EXPECT_FALSE(scene_.camera.exposure.has_value());
+    EXPECT_TRUE(extract("Altar").empty());
+    EXPECT_EQ(scene_.camera.exposure, 2.0f);
+    const std::vector<std::string> problems = extract("Alter");
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_NE(problems[0].find("did you mean 'Altar'?"), std::string::npos) << problems[0];
+    EXPECT_EQ(scene_.camera.entity, world_.find_named("Nave"));
+    EXPECT_TRUE(extract("Alter").empty());
+}
+
+TEST_F(Extraction, SkyAndTimeSurviveClearing) {
+    load(R"({ "sky": { "radiance_cd_m2": [1, 2, 3], "intensity": 2 } })");
+    scene_.time_s = 1.5;
+    scene_.frame = 9;
+    scene_.camera_cut = true;
+    extract();
+    EXPECT_EQ(scene_.sky.radiance, glm::vec3(2, 4, 6));
+    EXPECT_EQ(scene_.time_s, 1.5);
+    EXPECT_EQ(scene_.frame, 9u);
+    EXPECT_TRUE(scene_.camera_cut);
+}
+
+}  // namespace
+}  // namespace tyndall
