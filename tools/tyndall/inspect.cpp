@@ -19,8 +19,8 @@ void load_all_modules(Engine& engine) {
 int print_schema(bool manual) {
     Engine engine(false);
     load_all_modules(engine);
-    fmt::print("{}\n", manual ? component_manual(engine.registry(), engine.settings())
-                              : scene_schema(engine.registry(), engine.settings()));
+    fmt::print("{}", manual ? component_manual(engine.registry(), engine.settings())
+                            : scene_schema(engine.registry(), engine.settings()));
     return 0;
 }
 
