@@ -145,7 +145,7 @@ template <class T>
 std::vector<T> read_vectors(const GltfFile& file, int index, size_t most, std::string_view pointer) {
     const tinygltf::Accessor& accessor = file.at(file.model.accessors, index, "accessor", pointer);
     const Elements elements = locate(file, accessor, most, pointer_of(index));
-    if (elements.components != T::length() || accessor.type == TINYGLTF_TYPE_MAT2)
+    if (elements.components != static_cast<size_t>(T::length()) || accessor.type == TINYGLTF_TYPE_MAT2)
         file.fail(pointer_of(index), "elements of " + std::to_string(elements.components) + " components",
                   std::to_string(T::length()) + ", as " + std::string(pointer) + " needs");
     std::vector<T> out(elements.count, T(0.0f));
