@@ -260,7 +260,9 @@ const gpu::Texture& GpuScene::texture(const TextureAsset& asset) {
     return self_->textures.get(asset);
 }
 
-const Bounds& GpuScene::bounds() const { return self_->bounds; }
+const Bounds& GpuScene::bounds() const {
+    return self_->bounds;
+}
 
 size_t GpuScene::triangles_drawn() const {
     return self_->triangles;

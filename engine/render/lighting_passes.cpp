@@ -76,7 +76,7 @@ void LightsPass::execute(PassContext& context) {
     static const std::array<gpu::ProgramDesc, 3> kDescs = [] {
         std::array<gpu::ProgramDesc, 3> descs;
         constexpr std::array<const char*, 3> kKinds{"LIGHT_KIND LIGHT_POINT", "LIGHT_KIND LIGHT_SPOT",
-                                                  "LIGHT_KIND LIGHT_DIRECTIONAL"};
+                                                    "LIGHT_KIND LIGHT_DIRECTIONAL"};
         for (size_t i = 0; i < descs.size(); ++i)
             descs[i] = {.name = "lights", .fragment = "render/shaders/light.frag", .defines = {kKinds[i]}};
         descs[0].vertex = descs[1].vertex = "render/shaders/light_volume.vert";

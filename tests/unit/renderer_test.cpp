@@ -213,6 +213,28 @@ class AddingPass final : public Pass {
     bool fails = false;
 };
 
+TEST_F(RendererTest, MediaDimAndGlow) {
+    RenderScene scene = test::spheres();
+    renderer_->shaders().set_text("test/media.glsl",
+                                  "MediaSegment test_media(vec2 uv, vec3 p) {\n"
+                                  "    return MediaSegment(vec3(3.0, 2.0, 1.0), vec3(0.5, 0.25, 1.0));\n}\n");
+    for (const std::string& path : Renderer::paths()) {
+        renderer_->set_path(path);
+        const Image clear = render(scene);
+        renderer_->seams().add(Seam::media_segment,
+                               {.name = "test", .include = "test/media.glsl", .function = "test_media"});
+        const Image dim = render(scene);
+        for (int y = 0; y < clear.height; y += 3)
+            for (int x = 0; x < clear.width; x += 3) {
+                ASSERT_NEAR(dim.at(x, y, 0), 0.5f * clear.at(x, y, 0) + 3.0f, 1e-5f * dim.at(x, y, 0));
+                ASSERT_NEAR(dim.at(x, y, 1), 0.25f * clear.at(x, y, 1) + 2.0f, 1e-5f * dim.at(x, y, 1));
+                ASSERT_NEAR(dim.at(x, y, 2), clear.at(x, y, 2) + 1.0f, 1e-5f * dim.at(x, y, 2));
+            }
+        renderer_->seams().remove(Seam::media_segment, "test");
+        EXPECT_EQ(hash(render(scene)), hash(clear));
+    }
+}
+
 TEST_F(RendererTest, PassesComeAndGo) {
     const RenderScene scene;
     AddingPass pass;
