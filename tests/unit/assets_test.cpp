@@ -57,7 +57,7 @@ class Assets : public TemporaryFolder {
         return false;
     }
 
-    ColorConfig config_;
+    ColorConfig config_{paths::root() / "config" / "color" / "tyndall.ocio"};
     AssetStore store_{config_, fs::current_path()};
     int errors_ = 0;
 };
@@ -101,7 +101,7 @@ TEST_F(Assets, ColoursStaySmallWhereTheGpuDecodesThem) {
     write_png("t.png", 3);
     const auto colour = store_.texture("t.png", TextureUse::colour);
     EXPECT_EQ(colour->image.type, Image::Type::u8);
-    EXPECT_EQ(colour->srgb_encoded, config_.decodes_as_srgb(config_.space_of_file("t.png")));
+    EXPECT_TRUE(colour->srgb_encoded);
     EXPECT_EQ(colour->filter, TextureFilter::trilinear);
     EXPECT_EQ(colour->wrap_u, TextureWrap::repeat);
 }
