@@ -23,6 +23,7 @@ image = bpy.data.images.new("ambient_occlusion", size, size, alpha=False, float_
 spare = bpy.data.images.new("spare", 8, 8)
 for m in bpy.data.materials:
     m.use_nodes = True
+    m.node_tree.nodes.clear()  # occlusion needs no textures
     node = m.node_tree.nodes.new("ShaderNodeTexImage")
     node.image = image if materials.MATERIALS[m.name].get("ao") else spare
     m.node_tree.nodes.active = node
@@ -35,12 +36,17 @@ for thing in scene.objects:
 bpy.ops.object.select_all(action="DESELECT")
 for things in placements.values():
     thing = things[len(things) // 2]
-    layers = thing.data.uv_layers
     if thing.hide_render or not any(materials.MATERIALS[m.name].get("ao") for m in thing.data.materials):
         continue
-    layers.active = layers[-1]
+    thing.data = thing.data.copy()
+    layers = thing.data.uv_layers
+    while len(layers) > 1:  # only the light map's
+        layers.remove(layers[0])
+    if layers:
+        layers[0].name = "light map"
     thing.select_set(True)
     bpy.context.view_layer.objects.active = thing
+bpy.ops.object.join()  # one object is one pass through Cycles instead of fifty
 bpy.ops.object.bake(type="AO", margin=4, use_clear=True, target="IMAGE_TEXTURES")
 
 pixels = np.empty(size * size * 4, np.float32)

@@ -12,6 +12,7 @@ import imageio
 import plan
 from build import glass_extent
 from mesh import unit
+from noise import fill_gaps
 
 WIDTH, HEIGHT = 2048, 1024
 PENUMBRA = 0.012                    # metres: the sun's disc (0.53 degrees) seen from a floor some 6 m away blurs by about this sigma
@@ -107,22 +108,7 @@ def project(folder):
         inside = (np.abs(u) < window.half) & (v > bottom) & (v < window.upper(np.clip(u, -window.half, window.half)))
         image[inside] = sample(soft[design], u[inside] / (2 * window.half) + .5, (v[inside] - bottom) / (top - bottom))
         covered |= inside
-    return pad_outwards(image, covered), size
-
-
-def pad_outwards(image, covered):
-    """Fills texels outside the glass from the nearest covered ones (push-pull over a pyramid)."""
-    levels = [(image * covered[..., None], covered.astype(float))]
-    while min(levels[-1][1].shape) > 1:
-        c, w = levels[-1]
-        shape = (c.shape[0] // 2, 2, c.shape[1] // 2, 2)
-        levels.append((c.reshape(*shape, 3).sum((1, 3)), w.reshape(shape).sum((1, 3))))
-    c, w = levels[-1]
-    fill = c / np.maximum(w, 1e-9)[..., None]
-    for c, w in reversed(levels[:-1]):
-        up = fill.repeat(2, 0).repeat(2, 1)
-        fill = np.where(w[..., None] > 0, c / np.maximum(w, 1e-9)[..., None], up)
-    return fill
+    return fill_gaps(image, covered), size
 
 
 def check(folder):

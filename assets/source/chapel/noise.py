@@ -34,3 +34,18 @@ def normal_map(height, metres_per_pixel):
 def smooth(lo, hi, x):
     t = np.clip((x - lo) / (hi - lo), 0, 1)
     return t * t * (3 - 2 * t)
+
+
+def fill_gaps(image, covered):
+    """Fills texels that are not covered from those around them (push-pull over a pyramid; sides are powers of two)."""
+    levels = [(image * covered[..., None], covered.astype(float))]
+    while min(levels[-1][1].shape) > 1:
+        c, w = levels[-1]
+        shape = (c.shape[0] // 2, 2, c.shape[1] // 2, 2)
+        levels.append((c.reshape(*shape, 3).sum((1, 3)), w.reshape(shape).sum((1, 3))))
+    c, w = levels[-1]
+    fill = c / np.maximum(w, 1e-9)[..., None]
+    for c, w in reversed(levels[:-1]):
+        up = fill.repeat(2, 0).repeat(2, 1)
+        fill = np.where(w[..., None] > 0, c / np.maximum(w, 1e-9)[..., None], up)
+    return fill

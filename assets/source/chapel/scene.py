@@ -19,7 +19,7 @@ def entities():
     found.append(dict(name="Sun", transform=dict(translation=numbers(gobo.origin()), rotation=numbers(gobo.light_quaternion(), 7)),
                       directional_light=dict(illuminance_lux=plan.SUN_LUX, colour=list(plan.SUN_COLOUR), angular_diameter_deg=0.53,
                                              gobo="textures/sun_gobo.png", gobo_size_m=numbers(gobo.extent()),
-                                             shadow=dict(size=2048, cascades=1, extent_m=32))))
+                                             shadow=dict(size=2048, cascades=1, distance_m=26))))
     found.append(dict(name="Sky", sky=dict(probe="probe_outside.exr", intensity=1.0)))
     found.append(dict(name="Indoor light", transform=dict(translation=[0, 3, 0]),
                       light_probe=dict(file="probe_nave.exr", intensity=1.0, extent_m=[6, 13, 12])))
@@ -59,7 +59,7 @@ def pretty(value, depth=0, width=150):
 
 
 if __name__ == "__main__":
-    scene = dict(tyndall=1, modules=["participating_media"], render=dict(path="light_pre_pass", view="ACES 1.0 SDR", camera="Nave"), entities=entities())
+    scene = dict(tyndall=1, modules=["participating_media"], render=dict(path="light_pre_pass", view="ACES 1.0 SDR", camera="Nave", participating_media=dict(resolution="half", steps=16)), entities=entities())
     text = pretty(scene) + "\n"
     assert json.loads(text) == scene
     target = pathlib.Path(sys.argv[1]) / "chapel.json"

@@ -67,12 +67,12 @@ def stone(folder, name, size, tile, courses, lengths, joint, seed, warm, contras
     bed = spectral(shape, 1.8, seed + 6, 2, size / 6, stretch=(1, 7))
     chips = spectral(shape, 1.6, seed + 7, 8, size / 6)
 
-    tone = 1 + rng.normal(0, .085 * contrast, count)[block]
+    tone = 1 + np.clip(rng.normal(0, .115 * contrast, count), -.26, .2)[block]
     hue = rng.normal(0, 1, count)[block] * contrast
     dark = (rng.random(count) < .10)[block]
     palette = np.array(warm)
     colour = palette * tone[..., None] * (1 + .05 * mottle + .05 * cloud + .035 * bed + .03 * grain)[..., None]
-    colour = colour * (1 + hue[..., None] * np.array([.018, .0, -.045]))
+    colour = colour * (1 + hue[..., None] * np.array([.020, .0, -.055]))
     colour = colour * (1 - .10 * contrast * dark[..., None])
     # Iron stains and grime that run over several blocks.
     rust = smooth(1.1, 2.4, cloud + .45 * mottle)
@@ -109,15 +109,15 @@ def flagstone(folder):
     veins = np.exp(-(spectral(shape, 2.4, seed + 3, 1, 60) / .035) ** 2)
     scuff = spectral(shape, 1.2, seed + 4, 10, 300, stretch=(1, 4))
     blotch = spectral(shape, 1.5, seed + 8, 6, 90)
-    tone = 1 + .075 * mottle + .07 * cloud + .06 * blotch + .045 * grain
-    colour = np.array([.335, .305, .255]) * tone[..., None]
+    tone = 1 + .075 * mottle + .11 * cloud + .07 * blotch + .045 * grain
+    colour = np.array([.285, .252, .205]) * tone[..., None]
     colour = mix(colour, np.array([.40, .335, .25]), .38 * smooth(-.2, 1.6, spectral(shape, 2.0, seed + 5, 1, 8)))
     colour = mix(colour, colour * .66, .28 * smooth(.7, 2.0, -.6 * cloud + .6 * blotch + .3 * mottle))
     colour *= (1 - .20 * veins)[..., None]
     pits = smooth(1.9, 2.8, spectral(shape, .9, seed + 6, 60, 380))
     colour *= (1 - .3 * pits)[..., None]
     height = .0016 * spectral(shape, 2.4, seed + 7, 2, 30) + .0004 * blur(mottle, 2) + .00007 * grain - .0014 * pits - .0005 * veins + .00009 * scuff
-    rough = .50 + .05 * mottle + .035 * scuff + .22 * pits + .10 * smooth(0, 2, -cloud) - .05 * smooth(0, 2, cloud)
+    rough = .44 + .05 * mottle + .035 * scuff + .22 * pits + .10 * smooth(0, 2, -cloud) - .05 * smooth(0, 2, cloud)
     write(folder, "flagstone", np.clip(colour, .02, .8), np.clip(rough, .24, .95), height, (tile, tile), 1 - .3 * pits)
 
 
@@ -213,9 +213,9 @@ def water(folder):
 
 
 MAKERS = {
-    "ashlar": lambda f: stone(f, "ashlar", 2048, 4.0, (.27, .40), (.45, .85), .010, 100, (.545, .475, .365), 1.0, quality=84),
-    "dressed": lambda f: stone(f, "dressed", 1024, 2.0, (.42, .58), (2.0, 2.0), .006, 200, (.575, .51, .40), .55, perpends=False, depth=.003),
-    "web": lambda f: stone(f, "web", 1024, 2.4, (.16, .22), (.28, .5), .010, 300, (.60, .545, .45), .85, depth=.005),
+    "ashlar": lambda f: stone(f, "ashlar", 2048, 4.0, (.27, .40), (.45, .85), .010, 100, (.515, .440, .325), 1.0, quality=84),
+    "dressed": lambda f: stone(f, "dressed", 1024, 2.0, (.42, .58), (2.0, 2.0), .006, 200, (.55, .48, .365), .6, perpends=False, depth=.003),
+    "web": lambda f: stone(f, "web", 1024, 2.4, (.16, .22), (.28, .5), .010, 300, (.58, .515, .41), .9, depth=.005),
     "flagstone": flagstone, "oak": oak, "iron": iron, "linen": linen, "brocade": brocade, "water": water,
 }
 

@@ -42,9 +42,9 @@ def rib(mesh, curve, scale=1.0, uv0=(0, 0), lift=0.0):
 def bay_curves(sx, sz):
     """Curves of one quarter of a bay (centred on z = 0): diagonal, transverse half, wall-rib half."""
     b = plan.BAY / 2
-    diagonal = pointed([sx * 3.42, plan.SPRING, sz * (b - .10)], [0, plan.BOSS, 0])
-    transverse = pointed([sx * 3.36, plan.SPRING, sz * b], [0, plan.TRANSVERSE, sz * b])
-    wall = pointed([sx * 3.90, plan.SPRING, sz * (b - .16)], [sx * 3.90, plan.WALL_RIB, 0])
+    diagonal = pointed([sx * 3.53, plan.SPRING, sz * (b - .10)], [0, plan.BOSS, 0])
+    transverse = pointed([sx * 3.52, plan.SPRING, sz * b], [0, plan.TRANSVERSE, sz * b])
+    wall = pointed([sx * 3.98, plan.SPRING, sz * (b - .16)], [sx * 3.98, plan.WALL_RIB, 0])
     return diagonal, transverse, wall
 
 

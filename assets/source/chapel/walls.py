@@ -120,6 +120,8 @@ def box(mesh, lo, hi, radius=0.01, axis=1, uv0=(0, 0)):
 def pilaster(mesh, x_sign, z, half=0.27):
     x0, x1 = sorted((x_sign * 3.66, x_sign * 4.02))
     box(mesh, [x0, -0.3, z - half], [x1, plan.SPRING + 0.02, z + half], 0.03)
+    x0, x1 = sorted((x_sign * 3.46, x_sign * 4.02))  # the springer, from which the ribs part
+    box(mesh, [x0, plan.SPRING - 0.02, z - 0.15], [x1, plan.SPRING + 0.95, z + 0.15], 0.02)
 
 
 def end_walls(ashlar_e, ashlar_w, dressed):
