@@ -93,7 +93,7 @@ TEST_F(Extraction, GltfNodesAreSurfacesLightsAndCameras) {
     EXPECT_EQ(pane.bounds.high, glm::vec3(14, 3, 0));
     EXPECT_FALSE(pane.casts_shadow);
     EXPECT_TRUE(pane.collides);
-    EXPECT_EQ(pane.material->name, "red");
+    EXPECT_EQ(pane.material->base_colour, glm::vec4(1, 0, 0, 1));
     ASSERT_EQ(scene_.lights.size(), 1u);
     EXPECT_EQ(scene_.lights[0].intensity, glm::vec3(7, 3.5f, 0));
     EXPECT_EQ(glm::vec3(scene_.lights[0].transform[3]), glm::vec3(10, 1, 6));
