@@ -22,7 +22,7 @@ namespace tyndall {
 /// the line where there are lines.
 [[nodiscard]] PolygonMesh read_ply(std::string_view content, const std::string& source);
 
-/// STL, text and binary, through OpenMesh: corners in the same place are joined. Throws Error with OpenMesh's reason.
+/// STL, text and binary, through OpenMesh: corners in the same place are joined. Throws Error.
 [[nodiscard]] PolygonMesh read_stl(const std::string& content, const std::string& source);
 
 }  // namespace tyndall

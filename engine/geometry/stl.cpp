@@ -1,7 +1,6 @@
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
 #include <OpenMesh/Core/IO/reader/STLReader.hh>
 #include <OpenMesh/Core/System/omstream.hh>
-#include <algorithm>
 #include <cstring>
 #include <mutex>
 #include <sstream>
@@ -75,34 +74,13 @@ class Collector final : public IO::BaseImporter {
     void add_texture_information(int, std::string) override {}
 };
 
-/// OpenMesh's own words about a file, kept off the terminal. Its streams are global: one file at a time.
-class CapturedMessages {
- public:
-    CapturedMessages() : lock_(mutex()) {
-        for (mostream* stream : {&omerr(), &omout(), &omlog()}) {
-            stream->disconnect(std::cerr);
-            stream->disconnect(std::cout);
-            stream->disconnect(std::clog);
-        }
-        omerr().connect(text_);
-    }
-    ~CapturedMessages() { omerr().disconnect(text_); }
-    /// The messages as one line.
-    std::string text() const {
-        std::string out = text_.str();
-        while (!out.empty() && out.back() == '\n') out.pop_back();
-        std::ranges::replace(out, '\n', ';');
-        return out;
-    }
-
- private:
-    static std::mutex& mutex() {
-        static std::mutex instance;
-        return instance;
-    }
-    std::lock_guard<std::mutex> lock_;
-    std::ostringstream text_;
-};
+/// OpenMesh writes to the terminal by itself; what it says names no line and adds nothing to our own messages.
+void silence_once() {
+    static std::once_flag done;
+    std::call_once(done, [] {
+        for (mostream* stream : {&omerr(), &omout(), &omlog()}) stream->disable();
+    });
+}
 
 /// The size that a binary STL must have, from its count of triangles; 0 when there is no room for a count.
 size_t binary_size(const std::string& content) {
@@ -121,7 +99,7 @@ PolygonMesh read_stl(const std::string& content, const std::string& source) {
     if (binary && (binary_size(content) == 0 || content.size() < binary_size(content)))
         fail("the file is truncated, or no STL file");
     if (!binary && content.find("endsolid") == std::string::npos) fail("the file is truncated: it has no 'endsolid'");
-    const CapturedMessages messages;
+    silence_once();
     Collector collector;
     std::istringstream stream(content);
     IO::Options options(binary ? IO::Options::Binary : IO::Options::Default);
@@ -131,7 +109,7 @@ PolygonMesh read_stl(const std::string& content, const std::string& source) {
     } catch (const std::exception& error) {
         fail(std::string("the file is corrupt: ") + error.what());
     }
-    if (!read) fail("the file is corrupt: " + messages.text());
+    if (!read) fail("the file is corrupt");
     return std::move(collector.mesh);
 }
 

@@ -75,18 +75,8 @@ Image to_type(const Image& image, Image::Type type) {
 }  // namespace
 
 Image::Image(int w, int h, int c, Type t) : width(w), height(h), channels(c), type(t) {
-    if (w < 1 || h < 1 || c < 1 || w > kMaxImageSize || h > kMaxImageSize || c > 64)
-        throw Error(Diagnostic{{},
-                               fmt::format("a picture of {}x{} pixels with {} channels", w, h, c),
-                               fmt::format("1 to {} pixels a side, 1 to 64 channels", kMaxImageSize),
-                               {}});
-    const size_t size = value_count() * bytes_per_value(t);
-    if (size > kMaxImageBytes)
-        throw Error(Diagnostic{{},
-                               fmt::format("a picture of {} MiB", size >> 20),
-                               fmt::format("at most {} MiB of pixels", kMaxImageBytes >> 20),
-                               {}});
-    pixels.resize(size);
+    check_image_size(w, h, c, t);
+    pixels.resize(value_count() * bytes_per_value(t));
 }
 
 size_t Image::value_count() const {
@@ -114,6 +104,21 @@ std::span<std::uint16_t> Image::shorts() {
 
 size_t bytes_per_value(Image::Type type) {
     return type == Image::Type::u8 ? 1 : type == Image::Type::u16 ? 2 : 4;
+}
+
+void check_image_size(int width, int height, int channels, Image::Type type) {
+    if (width < 1 || height < 1 || channels < 1 || width > kMaxImageSize || height > kMaxImageSize || channels > 64)
+        throw Error(Diagnostic{{},
+                               fmt::format("a picture of {}x{} pixels with {} channels", width, height, channels),
+                               fmt::format("1 to {} pixels a side, 1 to 64 channels", kMaxImageSize),
+                               {}});
+    const size_t size = static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(channels) *
+                        bytes_per_value(type);
+    if (size > kMaxImageBytes)
+        throw Error(Diagnostic{{},
+                               fmt::format("a picture of {} MiB", size >> 20),
+                               fmt::format("at most {} MiB of pixels", kMaxImageBytes >> 20),
+                               {}});
 }
 
 Image to_float(const Image& image) {

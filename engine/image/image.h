@@ -53,6 +53,8 @@ inline constexpr int kMaxImageSize = 16384;
 inline constexpr size_t kMaxImageBytes = size_t{1} << 30;
 
 [[nodiscard]] size_t bytes_per_value(Image::Type type);
+/// Throws Error when such a picture is beyond the limits above or has a size that is not positive.
+void check_image_size(int width, int height, int channels, Image::Type type);
 
 /// The same numbers as f32, 0..1 for the integer types.
 [[nodiscard]] Image to_float(const Image& image);

@@ -13,6 +13,9 @@
 namespace tyndall {
 namespace {
 
+/// Enough for the readers that decode in parallel, and little to take in vain.
+constexpr int kRowsAtOnce = 256;
+
 constexpr std::string_view kKnownFormats = "PNG, JPEG, OpenEXR, Radiance HDR, TIFF, Targa, BMP or WebP";
 
 [[noreturn]] void fail(std::string_view name, std::string message, std::string expected = {}) {
@@ -85,16 +88,34 @@ struct Reader {
 
     [[nodiscard]] const OIIO::ImageSpec& spec() const { return input->spec(); }
 
-    /// Allocates nothing before the header is known to be sane.
+    /// Memory is taken as rows arrive: a small file that promises a huge picture costs nothing.
     Image read() {
-        Image image(spec().width, spec().height, spec().nchannels, type_of(spec().format));
-        if (!input->read_image(0, 0, 0, image.channels, oiio_type(image.type), image.pixels.data()) ||
-            input->has_error())
-            fail(name, "the picture is truncated or corrupt: " + reason());
+        Image image;
+        image.width = spec().width;
+        image.height = spec().height;
+        image.channels = spec().nchannels;
+        image.type = type_of(spec().format);
+        check_image_size(image.width, image.height, image.channels, image.type);
+        const size_t row = image.value_count() / static_cast<size_t>(image.height) * bytes_per_value(image.type);
+        image.pixels.reserve(row * static_cast<size_t>(image.height));
+        const int step = spec().tile_width > 0 ? image.height : kRowsAtOnce;
+        for (int y = 0; y < image.height; y += step) {
+            const int end = std::min(y + step, image.height);
+            image.pixels.resize(row * static_cast<size_t>(end));
+            if (!read_rows(y, end, image.channels, oiio_type(image.type), &image.pixels[row * static_cast<size_t>(y)]))
+                fail(name, "the picture is truncated or corrupt: " + reason());
+        }
         return image;
     }
 
  private:
+    bool read_rows(int begin, int end, int channels, OIIO::TypeDesc type, std::byte* to) {
+        const bool read = spec().tile_width > 0 ? input->read_image(0, 0, 0, channels, type, to)
+                                                : input->read_scanlines(0, 0, begin + spec().y, end + spec().y,
+                                                                        spec().z, 0, channels, type, to);
+        return read && !input->has_error();
+    }
+
     std::string reason() const {
         const std::string text = input->geterror();
         return text.empty() ? "no reason given" : text;
