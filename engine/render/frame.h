@@ -28,7 +28,16 @@ struct FrameBlock {
     glm::vec4 tan_half_fov_exposure;  ///< x: tan(fov/2) * aspect, y: tan(fov/2), z: exposure, w: unused
 };
 
-/// The storage block "Lights" of render/shaders/lights.glsl, one per RenderScene light, same order.
+/// ShadowView of render/shaders/lights.glsl.
+struct GpuShadowView {
+    glm::mat4 page_from_world;  ///< to u, v of a page of the shadow maps and depth
+    glm::vec4 rectangle;        ///< low and high uv of the view, less half a texel
+    glm::vec4
+        texel_page_fades;  ///< metres a texel covers (perspective: at 1 m), page, 1 = a cascade that ends in the scene
+};
+
+/// An element of the storage block "Lights" of render/shaders/lights.glsl, one per RenderScene light, same order; and
+/// the uniform block "Light" of programs that look at one light a draw.
 struct GpuLight {
     glm::vec4 position_range;     ///< xyz in the world, w range (0 = none)
     glm::vec4 direction_kind;     ///< xyz travel direction, w LightKind as float
@@ -37,8 +46,12 @@ struct GpuLight {
     glm::vec4 intensity_profile;  ///< rgb colour times cd or lux, w SpotProfile as float
     glm::vec4 gobo;  ///< x layer of the gobo array or -1, y z half size in metres (directional) or tan(outer) (spot), w
                      ///< source size
-    glm::vec4 shadow;  ///< x first view in ShadowMaps or -1, y number of views
+    glm::vec4 shadow;  ///< x number of views, 0 = not shadowed
+    GpuShadowView views[6];
+    glm::vec4 padding[5];  ///< to a multiple of 256 bytes, at which uniform blocks may begin
 };
+
+static_assert(sizeof(GpuLight) % 256 == 0);
 
 /// References that live for one frame.
 struct Frame {
@@ -55,5 +68,7 @@ struct Frame {
 
 /// Binds FrameBlock, Lights, the shadow maps and gobos where the program has them.
 void bind_frame(const gpu::Program& program, Frame& frame);
+/// Binds one light of the scene for the next draw of a program that defines ONE_LIGHT (render/shaders/lights.glsl).
+void bind_light(const gpu::Program& program, const Frame& frame, size_t light);
 
 }  // namespace tyndall

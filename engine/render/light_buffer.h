@@ -17,6 +17,10 @@ class LightBuffer {
                 gpu::ShaderLibrary& shaders);
     /// The block "Lights" and the texture "light_gobos".
     void bind(const gpu::Program& program) const;
+    /// The block "Light": one of them.
+    void bind_one(const gpu::Program& program, size_t light) const;
+    /// One for each of the scene's lights; at least one.
+    [[nodiscard]] const std::vector<GpuLight>& lights() const { return lights_; }
 
  private:
     Gobos gobos_;

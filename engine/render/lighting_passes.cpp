@@ -72,37 +72,26 @@ void LightsPass::create_volumes() {
 }
 
 void LightsPass::execute(PassContext& context) {
-    // One program a kind of light, for volumes and for the whole screen: none asks which it is at every pixel.
-    static const std::array<gpu::ProgramDesc, 3> kDescs = [] {
-        std::array<gpu::ProgramDesc, 3> descs;
-        constexpr std::array<const char*, 3> kKinds{"LIGHT_KIND LIGHT_POINT", "LIGHT_KIND LIGHT_SPOT",
-                                                    "LIGHT_KIND LIGHT_DIRECTIONAL"};
-        for (size_t i = 0; i < descs.size(); ++i)
-            descs[i] = {.name = "lights", .fragment = "render/shaders/light.frag", .defines = {kKinds[i]}};
-        descs[0].vertex = descs[1].vertex = "render/shaders/light_volume.vert";
-        return descs;
-    }();
     static constexpr std::string_view kTargets[] = {"light_diffuse", "light_specular_a", "light_specular_b",
                                                     "scene_depth"};
     if (vertex_array_ == 0) create_volumes();
-    const Frame& frame = context.frame();
+    Frame& frame = context.frame();
     const Bounds surfaces = frame.gpu_scene.bounds();
     context.bind_targets(kTargets, -1);
     const DrawState state(DepthState::in_front, BlendState::add);
-    for (size_t kind = 0; kind < kDescs.size(); ++kind) {
-        const gpu::Program* program = nullptr;
+    for (const bool whole_screen : {false, true}) {
+        LightPrograms& programs = whole_screen ? screen_programs_ : volume_programs_;
+        programs.begin();
         for (size_t i = 0; i < frame.scene.lights.size(); ++i) {
-            if (size_t(frame.scene.lights[i].kind) != kind) continue;
-            if (program == nullptr) {
-                program = &frame.shaders.program(kDescs[kind]);
-                program->use();
-                bind_frame(*program, context.frame());
-                bind_gbuffer(*program, context);
-                seams_.bind(Seam::shading_model, *program, context);
-                seams_.bind(Seam::light_transmittance, *program, context);
-            }
-            program->set("light_index", unsigned(i));
-            draw(*program, frame.block.view_projection, light_volume(frame.scene.lights[i], surfaces));
+            const LightVolume volume = light_volume(frame.scene.lights[i], surfaces);
+            if ((volume.kind == LightVolumeKind::everywhere) != whole_screen) continue;
+            const gpu::Program& program = programs.use(frame, i, [&](const gpu::Program& fresh) {
+                bind_gbuffer(fresh, context);
+                seams_.bind(Seam::shading_model, fresh, context);
+                seams_.bind(Seam::light_transmittance, fresh, context);
+            });
+            program.set("light_index", unsigned(i));
+            draw(program, frame.block.view_projection, volume);
         }
     }
 }

@@ -6,6 +6,7 @@
 
 #include "gpu/gpu.h"
 #include "render/frame_graph.h"
+#include "render/light_programs.h"
 #include "render/light_volumes.h"
 #include "render/seams.h"
 #include "render/specular_table.h"
@@ -39,6 +40,9 @@ class LightsPass final : public Pass {
     void draw(const gpu::Program& program, const glm::mat4& clip_from_world, const LightVolume& volume);
 
     Seams& seams_;
+    LightPrograms volume_programs_{
+        {.name = "lights", .vertex = "render/shaders/light_volume.vert", .fragment = "render/shaders/light.frag"}};
+    LightPrograms screen_programs_{{.name = "lights", .fragment = "render/shaders/light.frag"}};
     gpu::Buffer vertices_;  // the sphere, then the cone
     int sphere_vertices_ = 0;
     int cone_vertices_ = 0;

@@ -11,13 +11,6 @@
 namespace tyndall {
 namespace {
 
-/// ShadowView of render/shaders/shadow_maps.glsl.
-struct GpuShadowView {
-    glm::mat4 page_from_world;
-    glm::vec4 rectangle;
-    glm::vec4 texel_page_fades;
-};
-
 GpuShadowView gpu_view(const ShadowView& view, int page_size) {
     const float page = static_cast<float>(page_size);
     const glm::vec2 corner = glm::vec2(view.corner) / page;
@@ -41,7 +34,6 @@ void ShadowMaps::prepare(const RenderScene& scene, const Bounds& bounds, glm::ve
                      limits_.max_size, limits_.max_bytes >> 20);
     warned_ = plan_.reduced;
     make_pages();
-    upload();
 }
 
 void ShadowMaps::make_pages() {
@@ -60,15 +52,6 @@ void ShadowMaps::make_pages() {
         pages_.emplace_back(std::span<const gpu::Framebuffer::Attachment>(),
                             gpu::Framebuffer::Attachment{&texture_, 0, page}, "shadow_maps");
     drawn_.clear();
-}
-
-void ShadowMaps::upload() {
-    std::vector<GpuShadowView> views;
-    for (const ShadowView& view : plan_.views) views.push_back(gpu_view(view, plan_.page_size));
-    if (views.empty()) views.resize(1);
-    const size_t bytes = views.size() * sizeof(GpuShadowView);
-    if (views_.size() < bytes) views_ = gpu::Buffer(bytes, nullptr, "ShadowViews");
-    views_.update(0, bytes, views.data());
 }
 
 void ShadowMaps::render(GpuScene& gpu_scene) {
@@ -104,17 +87,15 @@ void ShadowMaps::draw(const ShadowView& view, GpuScene& gpu_scene) const {
     glDisable(GL_SCISSOR_TEST);
 }
 
-ShadowMaps::Range ShadowMaps::views_of(size_t light) const {
-    const auto first = std::ranges::find(plan_.views, light, &ShadowView::light);
-    if (first == plan_.views.end()) return {};
-    const auto end =
-        std::ranges::find_if(first, plan_.views.end(), [&](const ShadowView& v) { return v.light != light; });
-    return {static_cast<int>(first - plan_.views.begin()), static_cast<int>(end - first)};
+void ShadowMaps::describe(size_t light, GpuLight& gpu_light) const {
+    size_t count = 0;
+    for (const ShadowView& view : plan_.views)
+        if (view.light == light) gpu_light.views[count++] = gpu_view(view, plan_.page_size);
+    gpu_light.shadow = glm::vec4(static_cast<float>(count), 0.0f, 0.0f, 0.0f);
 }
 
 void ShadowMaps::bind(const gpu::Program& program) const {
     program.texture("shadow_map_depths", texture_, {.filter = gpu::Filter::linear, .compare = true});
-    program.block("ShadowViews", views_);
 }
 
 void ShadowPass::declare(PassDeclaration& declaration) {

@@ -12,6 +12,7 @@
 namespace tyndall {
 
 class GpuScene;
+struct GpuLight;
 
 /// Depth seen from each light, in the pages of one array texture (reversed-Z, 0 = nothing there).
 class ShadowMaps {
@@ -23,13 +24,9 @@ class ShadowMaps {
     /// Draws the views whose matrix, place or casters changed since they were last drawn. GpuScene must be up to date.
     void render(GpuScene& gpu_scene);
 
-    /// The number of a light's first view, and how many it has; -1 and 0 without shadow.
-    struct Range {
-        int first = -1;
-        int count = 0;
-    };
-    [[nodiscard]] Range views_of(size_t light) const;
-    /// Binds the texture "shadow_map_depths" and the block "ShadowViews".
+    /// Writes a light's views to what shaders read of it.
+    void describe(size_t light, GpuLight& gpu_light) const;
+    /// Binds the texture "shadow_map_depths".
     void bind(const gpu::Program& program) const;
     /// Null before the first prepare.
     [[nodiscard]] const gpu::Texture* texture() const { return texture_.name() != 0 ? &texture_ : nullptr; }
@@ -48,7 +45,6 @@ class ShadowMaps {
         bool valid = false;
     };
     void make_pages();
-    void upload();
     void draw(const ShadowView& view, GpuScene& gpu_scene) const;
 
     ShadowLimits limits_;
@@ -56,7 +52,6 @@ class ShadowMaps {
     std::vector<Drawn> drawn_;
     gpu::Texture texture_;
     std::vector<gpu::Framebuffer> pages_;
-    gpu::Buffer views_;
     int rendered_ = 0;
     bool warned_ = false;
 };

@@ -128,12 +128,25 @@ void main() {
         block.tan_half_fov_exposure = {half * aspect, half, 1.0f, 0.0f};
         frame_block_ = gpu::Buffer(sizeof block, &block, "FrameBlock");
     }
+    /// All points must name the same light. Programs may look at all lights or at the one that is bound: both are asked
+    /// and must say the same.
     std::vector<ProbeResult> probe(const std::vector<ProbePoint>& points) {
+        const std::vector<ProbeResult> all = probe(points, {});
+        const std::vector<ProbeResult> one = probe(points, {"ONE_LIGHT"});
+        for (size_t i = 0; i < points.size(); ++i) {
+            EXPECT_NEAR(all[i].transmittance.x, one[i].transmittance.x, 1e-5f);
+            EXPECT_NEAR(all[i].irradiance.x, one[i].irradiance.x, 1e-4f * (1.0f + all[i].irradiance.x));
+        }
+        return all;
+    }
+    std::vector<ProbeResult> probe(const std::vector<ProbePoint>& points, const std::vector<std::string>& defines) {
         const gpu::Buffer in(std::span<const ProbePoint>(points), "Points");
         gpu::Buffer out(points.size() * sizeof(ProbeResult), nullptr, "Results");
-        const gpu::Program& program = shaders_->program({.name = "light_probe", .compute = "test/light_probe.comp"});
+        const gpu::Program& program =
+            shaders_->program({.name = "light_probe", .compute = "test/light_probe.comp", .defines = defines});
         program.use();
         lights_->bind(program);
+        lights_->bind_one(program, static_cast<size_t>(points[0].position.w));
         shadow_maps_->bind(program);
         program.block("FrameBlock", frame_block_);
         program.block("Points", in);

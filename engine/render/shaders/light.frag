@@ -7,7 +7,7 @@
 
 uniform sampler2D scene_depth;
 uniform sampler2D gbuffer_normal;
-uniform uint light_index;
+uniform uint light_index;  // what other providers of light transmittance know it by
 
 layout(location = 0) out vec4 light_diffuse;
 layout(location = 1) out vec4 light_specular_a;
