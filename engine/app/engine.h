@@ -26,6 +26,13 @@ namespace tyndall {
 /// What to change in a scene before it is loaded.
 using Assignments = std::vector<std::pair<std::string, std::string>>;
 
+/// Where the viewer is, in place of the scene's camera.
+struct View {
+    glm::mat4 camera{1.0f};  ///< rigid: columns right, up, back, position
+    float ev_offset = 0.0f;  ///< added to the camera's EV100
+};
+
+/// See the file's head.
 class Engine {
  public:
     /// With `rendering` a GL context must be current, now and whenever the engine is used or destroyed. An empty `ocio`
@@ -43,8 +50,9 @@ class Engine {
     /// Takes the world's changes into the scene file's text and writes it.
     void save_scene(const std::filesystem::path& file);
 
-    /// Advances the clock, extracts the world and renders it.     void frame(double seconds, glm::ivec2 size, const
-    /// std::optional<View>& view = std::nullopt); Extracts without rendering: for tools that only look at the scene.
+    /// Advances the clock, extracts the world and renders it.
+    void frame(double seconds, glm::ivec2 size, const std::optional<View>& view = std::nullopt);
+    /// Extracts without rendering: for tools that only look at the scene.
     const RenderScene& extract();
     /// The next frame has no history, and the clock starts again at 0.
     void restart_clock();

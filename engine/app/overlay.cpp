@@ -10,7 +10,7 @@ namespace {
 constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
-constexpr ImVec4 kRed{1.0f, 0.45f, 0.4f, 1.0f};
+const ImVec4 kRed{1.0f, 0.45f, 0.4f, 1.0f};
 constexpr float kMargin = 10.0f;
 
 /// A see-through box whose corner lies at a fraction of the window.

@@ -266,4 +266,7 @@ class Timer {
 /// uv`.
 void draw_fullscreen();
 
+/// Waits until the GPU has done all that it was asked for. For benchmarks.
+void finish();
+
 }  // namespace tyndall::gpu

@@ -89,4 +89,6 @@ std::string_view Timer::method() {
     return queries_lie() ? "glFinish and CPU clock" : "GL timer queries";
 }
 
+void finish() { glFinish(); }
+
 }  // namespace tyndall::gpu

@@ -18,6 +18,7 @@
 #include <memory>
 #include <string>
 
+#include "core/error.h"
 #include "module/abi.h"
 #include "render/frame_graph.h"
 #include "render/seams.h"

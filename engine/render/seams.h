@@ -19,6 +19,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gpu/shader_library.h"
@@ -27,6 +28,7 @@
 namespace tyndall {
 
 enum class Seam { shading_model, light_transmittance, indirect_light, media_segment, sky };
+[[nodiscard]] std::string_view name_of(Seam seam);
 
 struct SeamProvider {
     std::string

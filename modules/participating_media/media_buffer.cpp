@@ -21,8 +21,8 @@ Bounds scene_bounds(const RenderScene& scene) {
     Bounds bounds;
     for (const Surface& surface : scene.surfaces) bounds.merge(surface.bounds);
     for (const Light& light : scene.lights)
-        if (light.kind != LightKind::directional) bounds.merge(glm::vec3(light.transform[3]));
-    bounds.merge(glm::vec3(scene.camera.transform[3]));
+        if (light.kind != LightKind::directional) bounds.add(glm::vec3(light.transform[3]));
+    bounds.add(glm::vec3(scene.camera.transform[3]));
     return bounds;
 }
 

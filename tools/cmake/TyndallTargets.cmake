@@ -29,7 +29,7 @@ function(tyndall_module NAME)
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_include_directories(module_${NAME} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_compile_definitions(module_${NAME} PRIVATE TYNDALL_MODULE_NAME="${NAME}")
-  target_link_libraries(module_${NAME} PRIVATE tyndall_options tyndall ${MODULE_LINK})
+  target_link_libraries(module_${NAME} PRIVATE tyndall_options tyndall tyndall_abi ${MODULE_LINK})
   add_dependencies(play module_${NAME})
 endfunction()
 

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 
 #include "app/capture.h"
@@ -31,23 +33,31 @@ double now_ms() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// The most memory that the process had at once, in MB.
+double peak_memory_mb() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1000.0;
+}
+
 /// The camera, turned a little more each frame: no cached shadow cascade fits.
-std::optional<glm::mat4> turned(const Engine& engine, int frame, bool orbit) {
+std::optional<View> turned(const glm::mat4& home, int frame, bool orbit) {
     if (!orbit || frame == 0) return std::nullopt;
     const float angle = 0.02f * static_cast<float>(frame);
     glm::mat4 turn(1.0f);
     turn[0] = {std::cos(angle), 0.0f, -std::sin(angle), 0.0f};
     turn[2] = {std::sin(angle), 0.0f, std::cos(angle), 0.0f};
-    return engine.scene().camera.transform * turn;
+    return View{home * turn, 0.0f};
 }
 
 /// Frames timed as a whole, without the per-pass clocks that hold the GPU up.
 double frame_time(Engine& engine, const BenchOptions& options, glm::ivec2 size) {
     std::vector<double> times;
     engine.renderer().set_timing(false);
+    const glm::mat4 home = engine.extract().camera.transform;
     for (int i = 0; i < options.frames; ++i) {
         const double start = now_ms();
-        engine.frame(1.0 / 60.0, size, turned(engine, i, options.orbit));
+        engine.frame(1.0 / 60.0, size, turned(home, i, options.orbit));
         gpu::finish();
         times.push_back(now_ms() - start);
     }
@@ -58,8 +68,9 @@ void print_passes(Engine& engine, const BenchOptions& options, glm::ivec2 size) 
     std::map<std::string, std::vector<double>> times;
     std::vector<std::string> order;
     engine.renderer().set_timing(true);
+    const glm::mat4 home = engine.extract().camera.transform;
     for (int i = 0; i < options.frames; ++i) {
-        engine.frame(1.0 / 60.0, size, turned(engine, i, options.orbit));
+        engine.frame(1.0 / 60.0, size, turned(home, i, options.orbit));
         gpu::finish();
         for (const PassTime& pass : engine.renderer().statistics().passes) {
             if (pass.milliseconds < 0.0) continue;
