@@ -69,6 +69,7 @@ struct Renderer::Implementation {
     std::vector<std::string> retained;
     bool dirty = true;
     uint64_t seams_version = 0;
+    uint64_t settings_fingerprint = 0;
     bool antialiased = false;
     std::string graph_problem;
     glm::ivec2 size{16, 16};
@@ -134,9 +135,9 @@ void Renderer::Implementation::rebuild() {
 
 /// Rebuilds the graph when what it was made from has changed.
 void Renderer::Implementation::refresh() {
-    const bool wanted = settings.get<ImageSettings>().antialiasing != Antialiasing::none;
-    if (!dirty && seams_version == seams.version() && wanted == antialiased) return;
-    antialiased = wanted;
+    if (!dirty && seams_version == seams.version() && settings_fingerprint == settings.fingerprint()) return;
+    settings_fingerprint = settings.fingerprint();
+    antialiased = settings.get<ImageSettings>().antialiasing != Antialiasing::none;
     rebuild();
 }
 
@@ -198,6 +199,8 @@ void Renderer::show(std::string_view target) {
     self_->shown = target;
     self_->dirty = true;
 }
+
+const std::string& Renderer::shown() const { return self_->shown; }
 
 void Renderer::retain(std::vector<std::string> targets) {
     self_->retained = std::move(targets);
