@@ -1,5 +1,7 @@
 #include "scene/gltf_textures.h"
 
+#include <iterator>
+
 #include "color/color.h"
 #include "core/error.h"
 #include "core/parallel.h"
@@ -83,9 +85,10 @@ void GltfTextures::load() {
         for (size_t i = first; i < last; ++i) {
             auto& [index, source] = jobs[i];
             Image image = decode(index, *source);
-            size_t left = source->assets.size();
-            for (auto& [key, asset] : source->assets)
-                fill_texture(*asset, --left > 0 ? image : std::move(image), std::get<0>(key), config_, srgb);
+            const auto last_use = std::prev(source->assets.end());
+            for (auto use = source->assets.begin(); use != last_use; ++use)
+                fill_texture(*use->second, image, std::get<0>(use->first), config_, srgb);
+            fill_texture(*last_use->second, std::move(image), std::get<0>(last_use->first), config_, srgb);
         }
     });
 }
