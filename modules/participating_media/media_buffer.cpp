@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
+#include <string_view>
 #include <vector>
 
 namespace tyndall::participating_media {
@@ -36,12 +37,12 @@ glm::mat4 box_to_world(const Medium& medium, const RenderScene& scene) {
 }
 
 void MediaBuffer::bind(const gpu::Program& program, const RenderScene& scene, bool enabled) {
-    if (scene_ != &scene || frame_ != scene.frame || enabled_ != enabled || buffer_.name() == 0) upload(scene, enabled);
+    update(scene, enabled);
     program.block("Media", buffer_);
     program.set("media_count", count_);
 }
 
-void MediaBuffer::upload(const RenderScene& scene, bool enabled) {
+void MediaBuffer::update(const RenderScene& scene, bool enabled) {
     std::vector<GpuMedium> media;
     for (const Medium& medium : scene.media) {
         const glm::mat4 box = box_to_world(medium, scene);
@@ -50,12 +51,12 @@ void MediaBuffer::upload(const RenderScene& scene, bool enabled) {
                          glm::vec4(medium.sigma_s_per_m + medium.sigma_a_per_m, 0.0f), medium.phase_parameters});
     }
     count_ = static_cast<int>(media.size());
-    const size_t bytes = std::max<size_t>(1, media.size()) * sizeof(GpuMedium);
-    if (buffer_.size() < bytes) buffer_ = gpu::Buffer(bytes, nullptr, "media");
-    if (!media.empty()) buffer_.update(0, media.size() * sizeof(GpuMedium), media.data());
-    scene_ = &scene;
-    frame_ = scene.frame;
-    enabled_ = enabled;
+    const std::string_view bytes(reinterpret_cast<const char*>(media.data()), media.size() * sizeof(GpuMedium));
+    if (buffer_.name() != 0 && bytes == uploaded_) return;
+    uploaded_ = bytes;
+    const size_t size = std::max(bytes.size(), sizeof(GpuMedium));
+    if (buffer_.size() < size) buffer_ = gpu::Buffer(size, nullptr, "media");
+    if (!bytes.empty()) buffer_.update(0, bytes.size(), bytes.data());
 }
 
 }  // namespace tyndall::participating_media

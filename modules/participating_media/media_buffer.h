@@ -2,6 +2,7 @@
 /// The frame's media on the GPU, shared by the march and the two seam providers.
 
 #include <glm/mat4x4.hpp>
+#include <string>
 
 #include "gpu/gpu.h"
 #include "scene/render_scene.h"
@@ -11,16 +12,17 @@ namespace tyndall::participating_media {
 /// The storage block "Media" of shaders/media.glsl. Makes its GL objects when first bound.
 class MediaBuffer {
  public:
-    /// Sets the block and the count on a program that includes media.glsl; uploads the scene's media once a frame.
+    /// Sets the block and the count on a program that includes media.glsl; uploads the scene's media when
+    /// they changed.
     void bind(const gpu::Program& program, const RenderScene& scene, bool enabled);
 
  private:
-    void upload(const RenderScene& scene, bool enabled);
+    void update(const RenderScene& scene, bool enabled);
     gpu::Buffer buffer_;
     int count_ = 0;
-    const RenderScene* scene_ = nullptr;
-    uint64_t frame_ = ~uint64_t{0};
-    bool enabled_ = true;
+    std::string uploaded_;  ///< the buffer's bytes
+};
+bool enabled_ = true;
 };
 
 /// Placement of a medium's unit box in the world; the whole scene's bounds for MediumShape::whole_scene.
