@@ -1,6 +1,6 @@
 """Bakes ambient occlusion into the light-map atlas. Usage: blender -b -P bake_ao.py -- CHAPEL_DIRECTORY [SIZE] [SAMPLES]
 
-Each mesh is baked once, in the middle one of its placements, among all the others. Rays reach 2.5 m; glass and flames are left out.
+Each mesh is baked once, in the placement nearest to the middle of the nave, among all the others. Rays reach 2.5 m; glass and flames are left out.
 """
 import pathlib
 import sys
@@ -35,7 +35,7 @@ for thing in scene.objects:
         placements.setdefault(thing.data.name, []).append(thing)
 bpy.ops.object.select_all(action="DESELECT")
 for things in placements.values():
-    thing = things[len(things) // 2]
+    thing = min(things, key=lambda t: t.matrix_world.translation.length)
     if thing.hide_render or not any(materials.MATERIALS[m.name].get("ao") for m in thing.data.materials):
         continue
     thing.data = thing.data.copy()

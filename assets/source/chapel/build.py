@@ -80,7 +80,7 @@ def build():
     for k, z in enumerate(plan.BAY_LINES):
         for sx, side in ((1, "south"), (-1, "north")):
             y = plan.CHANCEL_FLOOR if z < -9 else 0.0
-            put(f"column_{side}_{k + 1}", [column] if not nodes_named(nodes, "column") else None, translation(sx * plan.COLUMN_X, 0, z), "column")
+            put(f"column_{side}_{k + 1}", [column] if not nodes_named(nodes, "column") else None, rotation_y(0 if sx > 0 else 180, sx * plan.COLUMN_X, 0, z), "column")  # its back, in the wall, is dark in the light map
 
     made = {}
     for name, window, frame, design in plan.windows():

@@ -43,7 +43,7 @@ def reveal(mesh, frame, window, w0, w1, grow0, grow1, drop0, drop1):
         t = np.linspace(0, 1, 4)[:, None, None]
         uv = a[None] * (1 - t) + b[None] * t
         p = frame.at(uv, np.broadcast_to(w0 + (w1 - w0) * t[..., 0], uv.shape[:2]))
-        centre = frame.at(np.array([0, window.spring if window.round_window else min(window.spring, a[:, 1].max() - 0.01)]), (w0 + w1) / 2)
+        centre = frame.at(np.array([0, window.spring]), (w0 + w1) / 2)
         vertical = abs(a[0, 0] - a[-1, 0]) < 1e-6
         across = np.linspace(0, abs(w1 - w0) + 0.2, 4)[:, None]
         if vertical:  # courses stay level on the jambs
