@@ -12,8 +12,7 @@ namespace tyndall::participating_media {
 /// The storage block "Media" of shaders/media.glsl. Makes its GL objects when first bound.
 class MediaBuffer {
  public:
-    /// Sets the block and the count on a program that includes media.glsl; uploads the scene's media when
-    /// they changed.
+    /// Sets the block and the count on a program that includes media.glsl; uploads the scene's media when they changed.
     void bind(const gpu::Program& program, const RenderScene& scene, bool enabled);
 
  private:
@@ -21,8 +20,6 @@ class MediaBuffer {
     gpu::Buffer buffer_;
     int count_ = 0;
     std::string uploaded_;  ///< the buffer's bytes
-};
-bool enabled_ = true;
 };
 
 /// Placement of a medium's unit box in the world; the whole scene's bounds for MediumShape::whole_scene.
