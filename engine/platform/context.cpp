@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <utility>
 
@@ -28,6 +29,16 @@ bool is_software(std::string_view renderer) {
     for (const std::string_view name : {"llvmpipe", "softpipe", "SwiftShader"})
         if (renderer.find(name) != std::string_view::npos) return true;
     return false;
+}
+
+/// A software renderer takes and frees the memory of its draws every frame. Left to itself glibc hands large blocks
+/// back to the kernel each time, and faulting their pages in again costs several times the drawing of small pictures.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    mallopt(M_TRIM_THRESHOLD, 256 << 20);
+    mallopt(M_TOP_PAD, 16 << 20);
+#endif
 }
 
 /// Performance hints are no errors, and a shader compiler's messages reach people through gpu::ShaderLibrary.
@@ -70,6 +81,7 @@ void Context::adopt(std::string_view how, const ContextOptions& options) {
     info_.version = text_of(GL_VERSION);
     info_.how = how;
     info_.software = is_software(info_.renderer);
+    if (info_.software) keep_freed_memory();
     const int version = epoxy_gl_version();
     if (version < 45)
         throw Error(Diagnostic{{},

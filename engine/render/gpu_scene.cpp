@@ -21,7 +21,6 @@ struct SurfaceRecord {
     glm::mat4 world_from_local;
     glm::mat4 previous_world_from_local;
     glm::vec4 normal_from_local[3];  ///< columns of the inverse transpose
-    glm::uvec4 material;             ///< x index
 };
 
 constexpr uint32_t kNoMaterial = 0xffffffff;
@@ -55,12 +54,11 @@ struct Batch {
     float distance2 = 0.0f;
 };
 
-SurfaceRecord record_of(const Surface& surface, uint32_t material) {
+SurfaceRecord record_of(const Surface& surface) {
     const glm::mat3 normal = glm::inverseTranspose(glm::mat3(surface.transform));
     return {surface.transform,
             surface.previous_transform,
-            {glm::vec4(normal[0], 0.0f), glm::vec4(normal[1], 0.0f), glm::vec4(normal[2], 0.0f)},
-            glm::uvec4(material, 0, 0, 0)};
+            {glm::vec4(normal[0], 0.0f), glm::vec4(normal[1], 0.0f), glm::vec4(normal[2], 0.0f)}};
 }
 
 float distance2(const Bounds& box, const glm::vec3& eye) {
@@ -185,7 +183,6 @@ size_t GpuScene::Implementation::draw(const DrawView& view, const SurfaceShader&
             wanted.use();
             wanted.set("clip_from_world", view.clip_from_world);
             wanted.block("Surfaces", surfaces);
-            wanted.block("Materials", materials.buffer());
             if (bind) bind(wanted);
         }
         if (head.material != kNoMaterial) materials.bind(head.material, *current, textures);
@@ -224,7 +221,7 @@ void GpuScene::update(const RenderScene& scene, const Seams& seams) {
         const uint32_t index = self.materials.add(material, seams, self.textures);
         const bool mirrored = glm::determinant(glm::mat3(surface.transform)) < 0.0f;
         self.items.push_back({&surface, &mesh, index, mirrored});
-        self.records.push_back(record_of(surface, index));
+        self.records.push_back(record_of(surface));
         self.bounds.merge(surface.bounds);
     }
     self.materials.upload();

@@ -41,7 +41,7 @@ class GpuScene {
     GpuScene(const GpuScene&) = delete;
     GpuScene& operator=(const GpuScene&) = delete;
 
-    /// Once a frame, before drawing: uploads what is new, fills the blocks "Surfaces" and "Materials", frees what has
+    /// Once a frame, before drawing: uploads what is new, fills the blocks of surfaces and materials, frees what has
     /// been unused for some frames. `seams` numbers the shading models.
     void update(const RenderScene& scene, const Seams& seams);
 

@@ -91,6 +91,7 @@ void MaterialTable::upload() {
 }
 
 void MaterialTable::bind(uint32_t index, const gpu::Program& program, TextureCache& textures) const {
+    program.block("MaterialBlock", buffer_, index * sizeof(MaterialRecord), sizeof(MaterialRecord));
     const auto slots = slots_of(*entries_[index].material);
     for (size_t i = 0; i < kMaps; ++i) {
         if ((entries_[index].features & (1u << i)) == 0) continue;

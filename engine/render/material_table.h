@@ -30,8 +30,9 @@ enum MaterialFeature : uint32_t {
 /// The #define names of the features' bits.
 [[nodiscard]] std::vector<std::string> feature_defines(uint32_t features);
 
-/// The struct MaterialRecord of render/shaders/surfaces.glsl.
-struct MaterialRecord {
+/// The uniform block "MaterialBlock" of render/shaders/material_maps.glsl; as large as any driver's alignment of
+/// blocks.
+struct alignas(256) MaterialRecord {
     glm::vec4 base_colour;
     glm::vec4 emissive_normal_scale;
     glm::vec4 metallic_roughness_occlusion_cutoff;
@@ -40,7 +41,7 @@ struct MaterialRecord {
     glm::vec4 uv_rows[14];
 };
 
-/// A frame's materials: records by index, uploaded as the block "Materials".
+/// A frame's materials: records by index.
 class MaterialTable {
  public:
     /// Forgets the last frame's materials.
@@ -52,9 +53,8 @@ class MaterialTable {
     [[nodiscard]] uint32_t features(uint32_t index) const { return entries_[index].features; }
     [[nodiscard]] bool double_sided(uint32_t index) const { return entries_[index].material->double_sided; }
     [[nodiscard]] uint64_t id(uint32_t index) const { return entries_[index].material->id; }
-    /// Binds the textures of the features that the program was compiled with.
+    /// Binds the block and the textures of the material.
     void bind(uint32_t index, const gpu::Program& program, TextureCache& textures) const;
-    [[nodiscard]] const gpu::Buffer& buffer() const { return buffer_; }
 
  private:
     struct Entry {

@@ -13,8 +13,8 @@ void main() {
     MaterialPoint point = material_at();
     gbuffer_normal = encode_lit_point(point.normal, point.roughness, point.occlusion, point.model);
 #ifndef THIN
-    gbuffer_base = vec4(point.material.base_color, point.material.metallic);
-    gbuffer_f0 = vec4(point.material.f0, point.material.f90);
+    gbuffer_base = vec4(point.standard.base_color, point.standard.metallic);
+    gbuffer_f0 = vec4(point.standard.f0, point.standard.f90);
     gbuffer_emissive = vec4(point.emissive, 0.0);
 #endif
 }

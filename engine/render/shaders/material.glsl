@@ -10,7 +10,7 @@ in vec4 v_tangent;
 
 // What a solver needs to know of a surface point.
 struct MaterialPoint {
-    StandardMaterial material;
+    StandardMaterial standard;
     float roughness;  // perceptual
     vec3 normal;      // world, unit, on the side that is seen
     float occlusion;  // 1 = open
@@ -26,7 +26,7 @@ vec3 material_normal() {
     t *= inversesqrt(max(dot(t, t), 1e-12));
     vec3 b = cross(n, t) * v_tangent.w;
     vec3 m = texture(normal_map, uv_of(2)).xyz * 2.0 - 1.0;
-    m.xy *= materials[v_material].emissive_normal_scale.w;
+    m.xy *= material.emissive_normal_scale.w;
     n = normalize(t * m.x + b * m.y + n * max(m.z, 1e-3));
 #endif
     return gl_FrontFacing ? n : -n;
@@ -35,7 +35,7 @@ vec3 material_normal() {
 // Discards what the alpha mask leaves out.
 MaterialPoint material_at() {
     MaterialPoint point;
-    vec4 factors = materials[v_material].metallic_roughness_occlusion_cutoff;
+    vec4 factors = material.metallic_roughness_occlusion_cutoff;
     vec4 base = base_colour_at();
 #ifdef ALPHA_MASK
     if (base.a < factors.w) discard;
@@ -56,19 +56,19 @@ MaterialPoint material_at() {
 #endif
     point.occlusion = 1.0 + factors.z * (occlusion - 1.0);
     point.normal = material_normal();
-    point.emissive = materials[v_material].emissive_normal_scale.rgb;
+    point.emissive = material.emissive_normal_scale.rgb;
 #ifdef EMISSIVE_MAP
     point.emissive *= texture(emissive_map, uv_of(4)).rgb;
 #endif
-    vec4 specular = materials[v_material].specular_colour_weight;
+    vec4 specular = material.specular_colour_weight;
 #ifdef SPECULAR_MAP
     specular.w *= texture(specular_map, uv_of(5)).a;
 #endif
 #ifdef SPECULAR_COLOUR_MAP
     specular.rgb *= texture(specular_colour_map, uv_of(6)).rgb;
 #endif
-    point.material =
-        standard_material(base.rgb, metallic, materials[v_material].ior_model.x, specular.w, specular.rgb);
-    point.model = uint(materials[v_material].ior_model.y);
+    point.standard =
+        standard_material(base.rgb, metallic, material.ior_model.x, specular.w, specular.rgb);
+    point.model = uint(material.ior_model.y);
     return point;
 }

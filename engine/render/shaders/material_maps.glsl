@@ -1,8 +1,17 @@
 // A material's factors times its maps. Only the maps that the features name exist (render/material_table.h).
-#include "render/shaders/surfaces.glsl"
+
+// The material of the draw: MaterialRecord of render/material_table.h. A uniform block, since software renderers fetch
+// from it once for all pixels.
+layout(std140) uniform MaterialBlock {
+    vec4 base_colour;
+    vec4 emissive_normal_scale;  // rgb cd/m2
+    vec4 metallic_roughness_occlusion_cutoff;
+    vec4 specular_colour_weight;
+    vec4 ior_model;    // x index of refraction, y number of the shading model
+    vec4 uv_rows[14];  // two rows a map: xyz = row of the transform, w of the first = UV set
+} material;
 
 in vec4 v_uv;
-flat in uint v_material;
 
 #ifdef BASE_COLOUR_MAP
 uniform sampler2D base_colour_map;
@@ -29,9 +38,9 @@ uniform sampler2D specular_colour_map;
 // Where map number `map` is looked up.
 vec2 uv_of(int map) {
 #ifdef UV_TRANSFORM
-    vec4 row = materials[v_material].uv_rows[2 * map];
+    vec4 row = material.uv_rows[2 * map];
     vec3 uv = vec3(row.w > 0.5 ? v_uv.zw : v_uv.xy, 1.0);
-    return vec2(dot(row.xyz, uv), dot(materials[v_material].uv_rows[2 * map + 1].xyz, uv));
+    return vec2(dot(row.xyz, uv), dot(material.uv_rows[2 * map + 1].xyz, uv));
 #else
     return v_uv.xy;
 #endif
@@ -39,7 +48,7 @@ vec2 uv_of(int map) {
 
 // Base colour and alpha.
 vec4 base_colour_at() {
-    vec4 colour = materials[v_material].base_colour;
+    vec4 colour = material.base_colour;
 #ifdef BASE_COLOUR_MAP
     colour *= texture(base_colour_map, uv_of(0));
 #endif

@@ -7,6 +7,6 @@ layout(location = 0) out vec4 radiance;
 void main() {
     MaterialPoint point = material_at();
     vec3 view = normalize(frame.eye_near.xyz - v_position);
-    vec3 light = compose_radiance(ivec2(gl_FragCoord.xy), point.material, point.normal, view, point.roughness);
+    vec3 light = compose_radiance(ivec2(gl_FragCoord.xy), point.standard, point.normal, view, point.roughness);
     radiance = vec4(light + point.emissive, 1.0);
 }

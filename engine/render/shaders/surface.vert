@@ -14,7 +14,6 @@ invariant gl_Position;
 
 #if !defined(DEPTH_ONLY) || defined(ALPHA_MASK)
 out vec4 v_uv;
-flat out uint v_material;
 #endif
 #ifndef DEPTH_ONLY
 out vec3 v_position;
@@ -29,7 +28,6 @@ void main() {
     gl_Position = clip_from_world * world;
 #if !defined(DEPTH_ONLY) || defined(ALPHA_MASK)
     v_uv = vec4(uv0, uv1);
-    v_material = surfaces[surface].material.x;
 #endif
 #ifndef DEPTH_ONLY
     v_position = world.xyz;

@@ -5,6 +5,6 @@
 
 void main() {
 #ifdef ALPHA_MASK
-    if (base_colour_at().a < materials[v_material].metallic_roughness_occlusion_cutoff.w) discard;
+    if (base_colour_at().a < material.metallic_roughness_occlusion_cutoff.w) discard;
 #endif
 }
