@@ -7,7 +7,9 @@ namespace tyndall {
 Registration::~Registration() {
     if (host_.renderer) {
         for (const auto& [seam, provider] : seams_) host_.renderer->seams().remove(seam, provider.name);
-        for (const auto& pass : passes_) host_.renderer->remove_pass(pass.get());
+        std::vector<Pass*> leaving;
+        for (const auto& pass : passes_) leaving.push_back(pass.get());
+        host_.renderer->remove_passes(leaving);
         host_.renderer->shaders().drop(owner_ + ".");
     }
     for (const std::string& name : settings_) host_.settings.remove(name);

@@ -160,8 +160,9 @@ void Renderer::add_pass(Pass* pass) {
     self_->dirty = true;
 }
 
-void Renderer::remove_pass(Pass* pass) {
-    if (std::erase(self_->module_passes, pass) == 0) return;
+void Renderer::remove_passes(std::span<Pass* const> passes) {
+    const auto leaves = [&](Pass* pass) { return std::ranges::find(passes, pass) != passes.end(); };
+    if (std::erase_if(self_->module_passes, leaves) == 0) return;
     self_->rebuild();  // at once: the graph must not hold on to a pass that is about to die
 }
 

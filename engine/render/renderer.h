@@ -3,6 +3,7 @@
 
 #include <glm/vec2.hpp>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,7 +40,8 @@ class Renderer {
     [[nodiscard]] FrameGraph& graph();
     /// A module's pass; it stays the caller's and must be removed before it dies.
     void add_pass(Pass* pass);
-    void remove_pass(Pass* pass);
+    /// All of a module's at once: the frame is rebuilt without them before this returns.
+    void remove_passes(std::span<Pass* const> passes);
 
     /// Names of the render paths: "deferred", "light_pre_pass".
     [[nodiscard]] static std::vector<std::string> paths();

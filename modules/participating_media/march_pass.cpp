@@ -1,9 +1,15 @@
 #include "march_pass.h"
 
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include "light_rectangle.h"
 #include "physics/blue_noise.h"
 
 namespace tyndall::participating_media {
 namespace {
+
+constexpr float kFarthest = 1e4f;  // metres; rays into the sky are marched to here at most
 
 gpu::Texture make_blue_noise() {
     const std::vector<float> mask = physics::blue_noise_mask();
@@ -14,33 +20,99 @@ gpu::Texture make_blue_noise() {
     return texture;
 }
 
+int pixel_step(const MarchSettings& settings) {
+    return settings.resolution == Resolution::half ? 2 : 1;
+}
+
+TargetDesc marched_target(const MarchSettings& settings) {
+    return {.format = gpu::Format::rgba32f, .scale = 1.0f / static_cast<float>(pixel_step(settings))};
+}
+
 }  // namespace
 
 void MarchPass::declare(PassDeclaration& declaration) {
-    declaration.stage(Stage::media)
-        .reads("scene_depth", "where rays end")
-        .writes("media_in_scatter",
-                {.format = gpu::Format::rgba32f, .scale = settings_.resolution == Resolution::half ? 0.5f : 1.0f},
-                "single-scattered radiance between the eye and the surface, and the distance marched");
+    declaration.stage(Stage::media).reads("scene_depth", "where rays end");
+    declaration.writes(settings_.filter ? "media_in_scatter_marched" : "media_in_scatter", marched_target(settings_),
+                       "single-scattered radiance between the eye and the surface, and the distance marched");
 }
 
 void MarchPass::execute(PassContext& context) {
-    Frame& frame = context.frame();
     if (blue_noise_.name() == 0) blue_noise_ = make_blue_noise();
-    const gpu::Program& program =
-        frame.shaders.program({.name = "participating_media.march", .fragment = "participating_media/march.frag"});
+    Frame& frame = context.frame();
     context.bind_targets();
+    draw_distance(context);
+    const auto& media = media_->update(frame.scene, settings_.enabled);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);  // the distance stays
+    for (auto& [key, programs] : programs_) programs.begin();
+    for (size_t light = 0; light < frame.scene.lights.size(); ++light)
+        for (size_t medium = 0; medium < media.size(); ++medium) draw_light(context, light, static_cast<int>(medium));
+    glDisable(GL_BLEND);
+}
+
+void MarchPass::draw_distance(PassContext& context) {
+    static const gpu::ProgramDesc kDesc{.name = "participating_media.distance",
+                                        .fragment = "participating_media/distance.frag"};
+    const gpu::Program& program = context.frame().shaders.program(kDesc);
     program.use();
-    bind_frame(program, frame);
-    frame.seams.bind(Seam::light_transmittance, program, context);
-    media_->bind(program, frame.scene, settings_.enabled);
+    bind_frame(program, context.frame());
+    bind_common(program, context);
+    gpu::draw_fullscreen();
+}
+
+void MarchPass::draw_light(PassContext& context, size_t light, int medium) {
+    Frame& frame = context.frame();
+    const glm::ivec2 size = glm::max(context.size() / pixel_step(settings_), glm::ivec2(1));
+    const ScreenRectangle rectangle = light_rectangle(frame.scene.lights[light], frame.block.view_projection, size);
+    if (rectangle.empty()) return;
+    const gpu::Program& program =
+        programs(media_->media()[static_cast<size_t>(medium)].phase).use(frame, light, [&](const gpu::Program& fresh) {
+            bind_common(fresh, context);
+            frame.seams.bind(Seam::light_transmittance, fresh, context);
+            media_->bind(fresh);
+            fresh.texture("blue_noise", blue_noise_,
+                          {.filter = gpu::Filter::nearest, .wrap_u = gpu::Wrap::repeat, .wrap_v = gpu::Wrap::repeat});
+            fresh.set("steps", settings_.steps);
+            fresh.set("fixed_offset", settings_.jitter ? -1.0f : 0.5f);
+        });
+    program.set("light_index", static_cast<unsigned>(light));
+    program.set("medium", medium);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(rectangle.low.x, rectangle.low.y, rectangle.size.x, rectangle.size.y);
+    gpu::draw_fullscreen();
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void MarchPass::bind_common(const gpu::Program& program, PassContext& context) const {
     program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
-    program.texture("blue_noise", blue_noise_,
-                    {.filter = gpu::Filter::nearest, .wrap_u = gpu::Wrap::repeat, .wrap_v = gpu::Wrap::repeat});
-    program.set("steps", settings_.steps);
-    program.set("jitter", settings_.jitter ? 1 : 0);
-    program.set("light_count", static_cast<int>(frame.scene.lights.size()));
-    program.set("pixel_step", settings_.resolution == Resolution::half ? 2 : 1);
+    program.set("pixel_step", pixel_step(settings_));
+    program.set("farthest", kFarthest);
+}
+
+LightPrograms& MarchPass::programs(PhaseKind phase) {
+    const bool one = media_->media().size() == 1;
+    const auto key = std::pair(phase, one);
+    if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
+    gpu::ProgramDesc desc{.name = "participating_media.march", .fragment = "participating_media/march.frag"};
+    desc.defines.push_back(fmt::format("PHASE_KIND {}", static_cast<int>(phase)));
+    if (one) desc.defines.emplace_back("ONE_MEDIUM");
+    return programs_.try_emplace(key, std::move(desc)).first->second;
+}
+
+void FilterPass::declare(PassDeclaration& declaration) {
+    declaration.stage(Stage::media);
+    if (!settings_.filter) return;
+    declaration.reads("media_in_scatter_marched", "grainy")
+        .writes("media_in_scatter", marched_target(settings_), "the same without its grain");
+}
+
+void FilterPass::execute(PassContext& context) {
+    static const gpu::ProgramDesc kDesc{.name = "participating_media.filter",
+                                        .fragment = "participating_media/filter.frag"};
+    context.bind_targets();
+    const gpu::Program& program = context.frame().shaders.program(kDesc);
+    program.use();
+    program.texture("marched", context.texture("media_in_scatter_marched"), {.filter = gpu::Filter::nearest});
     gpu::draw_fullscreen();
 }
 

@@ -1,18 +1,21 @@
 #pragma once
-/// The pass that marches single scattering into `media_in_scatter`.
+/// The pass that marches single scattering, and the one that takes its grain off.
 
+#include <map>
 #include <memory>
 
 #include "march_settings.h"
 #include "media_buffer.h"
 #include "render/frame.h"
 #include "render/frame_graph.h"
+#include "render/light_programs.h"
 #include "render/seams.h"
 
 namespace tyndall::participating_media {
 
-/// Reads scene_depth; writes media_in_scatter: rgb single-scattered radiance between the eye and the surface (cd/m2), a
-/// the distance marched (m). Full or half resolution by MarchSettings.
+/// Marched target: rgb single-scattered radiance between the eye and the surface (cd/m2), a the distance marched (m).
+/// Full or half resolution by MarchSettings. What the media-segment seam reads is `media_in_scatter`, which this pass
+/// writes when nothing filters it.
 class MarchPass final : public Pass {
  public:
     /// `settings` must outlive the pass.
@@ -23,9 +26,28 @@ class MarchPass final : public Pass {
     void execute(PassContext& context) override;
 
  private:
+    void draw_distance(PassContext& context);
+    void draw_light(PassContext& context, size_t light, int medium);
+    void bind_common(const gpu::Program& program, PassContext& context) const;
+    /// Programs for this phase function, and for one medium or several.
+    [[nodiscard]] LightPrograms& programs(PhaseKind phase);
+
     std::shared_ptr<MediaBuffer> media_;
     const MarchSettings& settings_;
     gpu::Texture blue_noise_;
+    std::map<std::pair<PhaseKind, bool>, LightPrograms> programs_;
+};
+
+/// Averages 5x5 marched pixels of like distance: the errors of the blue-noise mask cancel there.
+class FilterPass final : public Pass {
+ public:
+    explicit FilterPass(const MarchSettings& settings) : settings_(settings) {}
+    [[nodiscard]] std::string_view name() const override { return "participating_media.filter"; }
+    void declare(PassDeclaration& declaration) override;
+    void execute(PassContext& context) override;
+
+ private:
+    const MarchSettings& settings_;
 };
 
 }  // namespace tyndall::participating_media

@@ -14,6 +14,7 @@ struct MarchSettings {
     Resolution resolution = Resolution::full;
     int32_t steps = 16;
     bool jitter = true;
+    bool filter = true;
 };
 
 inline void describe(StructBuilder<MarchSettings>& d) {
@@ -25,6 +26,8 @@ inline void describe(StructBuilder<MarchSettings>& d) {
             "Steps over the part of a ray that lies in a medium and in a light's volume.")
         .range(1, 1024);
     d.field("jitter", &MarchSettings::jitter, "Blue-noise offsets: fine grain instead of bands.");
+    d.field("filter", &MarchSettings::filter,
+            "Averages 5x5 marched pixels of like distance: takes the grain off, softens edges of shafts.");
 }
 
 }  // namespace tyndall::participating_media

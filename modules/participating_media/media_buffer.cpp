@@ -1,10 +1,11 @@
 #include "media_buffer.h"
 
-#include <algorithm>
+#include <array>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 #include <string_view>
-#include <vector>
+
+#include "core/log.h"
 
 namespace tyndall::participating_media {
 namespace {
@@ -36,27 +37,33 @@ glm::mat4 box_to_world(const Medium& medium, const RenderScene& scene) {
     return glm::scale(glm::translate(glm::mat4(1.0f), 0.5f * (bounds.low + bounds.high)), size);
 }
 
-void MediaBuffer::bind(const gpu::Program& program, const RenderScene& scene, bool enabled) {
-    update(scene, enabled);
-    program.block("Media", buffer_);
-    program.set("media_count", count_);
-}
-
-void MediaBuffer::update(const RenderScene& scene, bool enabled) {
-    std::vector<GpuMedium> media;
+const std::vector<Medium>& MediaBuffer::update(const RenderScene& scene, bool enabled) {
+    std::array<GpuMedium, kMaximumMedia> records;
+    media_.clear();
     for (const Medium& medium : scene.media) {
         const glm::mat4 box = box_to_world(medium, scene);
         if (!enabled || glm::determinant(glm::mat3(box)) == 0.0f) continue;
-        media.push_back({glm::inverse(box), glm::vec4(medium.sigma_s_per_m, static_cast<float>(medium.phase)),
-                         glm::vec4(medium.sigma_s_per_m + medium.sigma_a_per_m, 0.0f), medium.phase_parameters});
+        if (media_.size() == kMaximumMedia) {
+            if (!warned_) log::warning("more than {} media: the rest is left out", kMaximumMedia);
+            warned_ = true;
+            break;
+        }
+        records[media_.size()] = {glm::inverse(box), glm::vec4(medium.sigma_s_per_m, static_cast<float>(medium.phase)),
+                                  glm::vec4(medium.sigma_s_per_m + medium.sigma_a_per_m, 0.0f),
+                                  medium.phase_parameters};
+        media_.push_back(medium);
     }
-    count_ = static_cast<int>(media.size());
-    const std::string_view bytes(reinterpret_cast<const char*>(media.data()), media.size() * sizeof(GpuMedium));
-    if (buffer_.name() != 0 && bytes == uploaded_) return;
+    const std::string_view bytes(reinterpret_cast<const char*>(records.data()), media_.size() * sizeof(GpuMedium));
+    if (buffer_.name() == 0) buffer_ = gpu::Buffer(sizeof(records), nullptr, "media");
+    if (bytes == uploaded_) return media_;
     uploaded_ = bytes;
-    const size_t size = std::max(bytes.size(), sizeof(GpuMedium));
-    if (buffer_.size() < size) buffer_ = gpu::Buffer(size, nullptr, "media");
     if (!bytes.empty()) buffer_.update(0, bytes.size(), bytes.data());
+    return media_;
+}
+
+void MediaBuffer::bind(const gpu::Program& program) const {
+    program.block("Media", buffer_);
+    program.set("media_count", static_cast<int>(media_.size()));
 }
 
 }  // namespace tyndall::participating_media

@@ -3,23 +3,30 @@
 
 #include <glm/mat4x4.hpp>
 #include <string>
+#include <vector>
 
 #include "gpu/gpu.h"
 #include "scene/render_scene.h"
 
 namespace tyndall::participating_media {
 
-/// The storage block "Media" of shaders/media.glsl. Makes its GL objects when first bound.
+/// So many media are rendered at once; further ones are left out, with a warning.
+inline constexpr size_t kMaximumMedia = 16;
+
+/// The uniform block "Media" of shaders/media.glsl. Makes its GL objects when first used.
 class MediaBuffer {
  public:
-    /// Sets the block and the count on a program that includes media.glsl; uploads the scene's media when they changed.
-    void bind(const gpu::Program& program, const RenderScene& scene, bool enabled);
+    /// Uploads the scene's media when they changed. Returns those that are rendered.
+    const std::vector<Medium>& update(const RenderScene& scene, bool enabled);
+    [[nodiscard]] const std::vector<Medium>& media() const { return media_; }
+    /// Sets the block and the count on a program that includes media.glsl.
+    void bind(const gpu::Program& program) const;
 
  private:
-    void update(const RenderScene& scene, bool enabled);
     gpu::Buffer buffer_;
-    int count_ = 0;
+    std::vector<Medium> media_;
     std::string uploaded_;  ///< the buffer's bytes
+    bool warned_ = false;
 };
 
 /// Placement of a medium's unit box in the world; the whole scene's bounds for MediumShape::whole_scene.

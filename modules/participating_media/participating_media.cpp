@@ -13,8 +13,10 @@ class ParticipatingMedia final : public Module {
         registrar.component<MediumComponent>(extract_medium);
         const MarchSettings& settings = registrar.settings<MarchSettings>();
         registrar.pass(std::make_unique<MarchPass>(media, settings));
+        registrar.pass(std::make_unique<FilterPass>(settings));
         const auto bind_media = [media, &settings](const gpu::Program& program, PassContext& context) {
-            media->bind(program, context.frame().scene, settings.enabled);
+            media->update(context.frame().scene, settings.enabled);
+            media->bind(program);
         };
         registrar.seam(Seam::light_transmittance, {.name = "participating_media",
                                                    .include = "participating_media/transmittance.glsl",

@@ -245,13 +245,13 @@ TEST_F(RendererTest, PassesComeAndGo) {
     EXPECT_NE(renderer_->problems().find("test.adding"), std::string::npos);
     pass.fails = false;
     EXPECT_EQ(centre(render(scene)).x, 7.0f);
-    renderer_->remove_pass(&pass);
+    renderer_->remove_passes(std::array<Pass*, 1>{&pass});
     EXPECT_EQ(centre(render(scene)).x, 0.0f);
     pass.missing = "nonsense";
     renderer_->add_pass(&pass);
     EXPECT_EQ(centre(render(scene)).x, 0.0f);
     EXPECT_NE(renderer_->problems().find("nonsense"), std::string::npos);
-    renderer_->remove_pass(&pass);
+    renderer_->remove_passes(std::array<Pass*, 1>{&pass});
 }
 
 }  // namespace

@@ -28,8 +28,13 @@ vec3 decode_octahedral(vec2 encoded) {
     return normalize(vec3(p.x + (p.x >= 0.0 ? -fold : fold), p.y + (p.y >= 0.0 ? -fold : fold), z));
 }
 
+// Occlusion keeps clear of both ends of its 12 bits: targets may round to the neighbouring value, which must not be
+// another shading model's.
+const float OCCLUSION_LOW = 48.0;
+const float OCCLUSION_STEPS = 4000.0;
+
 vec4 encode_lit_point(vec3 normal, float roughness, float occlusion, uint model) {
-    float flags = float(model * 4096u) + round(clamp(occlusion, 0.0, 1.0) * 4095.0);
+    float flags = float(model * 4096u) + OCCLUSION_LOW + round(clamp(occlusion, 0.0, 1.0) * OCCLUSION_STEPS);
     return vec4(encode_octahedral(normal), roughness, flags / 65535.0);
 }
 
@@ -38,7 +43,7 @@ LitPoint decode_lit_point(vec4 texel) {
     LitPoint point;
     point.normal = decode_octahedral(texel.xy);
     point.roughness = texel.z;
-    point.occlusion = float(flags & 4095u) / 4095.0;
+    point.occlusion = clamp((float(flags & 4095u) - OCCLUSION_LOW) / OCCLUSION_STEPS, 0.0, 1.0);
     point.model = flags >> 12;
     return point;
 }

@@ -1,8 +1,9 @@
-// Single scattering along the eye ray, marched light by light, only where the ray is inside a medium and the light's volume.
+// Single scattering of one light in one medium along the eye ray, marched only where the ray is inside the medium and
+// the light's volume; draws of several lights and media add up.
 //
-// Each step integrates what can be integrated: for directional lights the transmittance to the eye over the step, for point and spot
-// lights the inverse-square law (steps of equal angle seen from the light: Kulla & Fajardo 2012). The rest is taken at one
-// point of the step, jittered by blue noise, so that the mean over pixels has no bias.
+// Each step integrates what can be integrated: for directional lights the transmittance to the eye over the step, for
+// point and spot lights the inverse-square law (steps of equal angle seen from the light: Kulla & Fajardo 2012). The
+// rest is taken at one point of the step, jittered by blue noise, so that the mean over pixels has no bias.
 #include "participating_media/media.glsl"
 #include "render/shaders/frame.glsl"
 #include "render/shaders/lights.glsl"
@@ -11,75 +12,94 @@
 uniform sampler2D scene_depth;
 uniform sampler2D blue_noise;
 uniform int steps;
-uniform int jitter;
-uniform int light_count;
+uniform float fixed_offset;  // of a step; negative = by blue noise
+uniform uint light_index;
+uniform int medium;
 uniform int pixel_step;  // full-resolution pixels from one marched pixel to the next
+uniform float farthest;  // metres; rays that hit nothing end here
 
-out vec4 in_scatter;
+out vec4 in_scatter;  // rgb radiance, a metres marched
 
 struct Ray {
     vec3 origin;
     vec3 direction;
 };
 
-// The single-scattered radiance per metre that one light sends to the eye from p, without the inverse-square law's 1/d^2 when
-// `inverse_square` carries it.
-vec3 source(uint light, int medium, Ray ray, float t) {
+// Radiance per metre that the light sends from the ray's point t to the eye, before the way there.
+vec3 source(Ray ray, float t) {
     vec3 p = ray.origin + t * ray.direction;
     vec3 to_light;
-    vec3 irradiance = light_irradiance(light, p, to_light);
-    if (max(irradiance.r, max(irradiance.g, irradiance.b)) <= 0.0) return vec3(0.0);
-    float phase = phase_evaluate(int(media[medium].sigma_s_phase.w), media[medium].phase_parameters, dot(to_light, ray.direction));
-    return media[medium].sigma_s_phase.rgb * phase * irradiance * light_transmittance(light, p, vec3(0.0));
+    vec3 irradiance = light_irradiance(light_index, p, to_light);
+    float phase = phase_evaluate(PHASE_KIND, media[medium].phase_parameters, dot(-to_light, -ray.direction));
+    return irradiance * (phase * light_transmittance(light_index, p, vec3(0.0)));
 }
 
-vec3 march_uniform(uint light, int medium, Ray ray, float t0, float t1, float offset) {
+#if LIGHT_KIND == 2  // LIGHT_DIRECTIONAL
+vec3 march(Ray ray, float t0, float t1, float offset) {
     float ds = (t1 - t0) / float(steps);
     vec3 sum = vec3(0.0);
+#ifdef ONE_MEDIUM
+    vec3 step_depth = media[medium].sigma_t.rgb * ds;
+    vec3 weight = mean_transmittance(step_depth) * ds;  // and the transmittance up to the step
+    vec3 factor = exp(-step_depth);
+    for (int i = 0; i < steps; ++i) {
+        sum += source(ray, t0 + (float(i) + offset) * ds) * weight;
+        weight *= factor;
+    }
+#else
     for (int i = 0; i < steps; ++i) {
         float begin = t0 + float(i) * ds;
-        vec3 depth0 = media_optical_depth(ray.origin, ray.direction, 0.0, begin);
-        vec3 depth1 = media_optical_depth(ray.origin, ray.direction, begin, begin + ds);
-        sum += source(light, medium, ray, begin + offset * ds) * exp(-depth0) * mean_transmittance(depth1) * ds;
+        vec3 before = media_transmittance(ray.origin, ray.direction, 0.0, begin);
+        vec3 within = mean_transmittance(media_optical_depth(ray.origin, ray.direction, begin, begin + ds));
+        sum += source(ray, begin + offset * ds) * before * within * ds;
     }
+#endif
     return sum;
 }
-
-vec3 march_equi_angular(uint light, int medium, Ray ray, float t0, float t1, float offset) {
-    vec3 to_light = lights[light].position_range.xyz - ray.origin;
+#else
+vec3 march(Ray ray, float t0, float t1, float offset) {
+    vec3 to_light = light_position(light_index) - ray.origin;
     float closest = dot(to_light, ray.direction);
     float passing = max(length(to_light - closest * ray.direction), 1e-3);
     float angle0 = atan((t0 - closest) / passing);
     float dangle = (atan((t1 - closest) / passing) - angle0) / float(steps);
+    // tan(a + b) by a rotation: one step turns (cos, sin) by dangle
+    float start = angle0 + offset * dangle;
+    vec2 at = vec2(cos(start), sin(start));
+    vec2 turn = vec2(cos(dangle), sin(dangle));
     vec3 sum = vec3(0.0);
     for (int i = 0; i < steps; ++i) {
-        float tangent = tan(angle0 + (float(i) + offset) * dangle);
+        float tangent = at.y / at.x;
         float t = clamp(closest + passing * tangent, t0, t1);
-        // integral of 1/d^2 over the step = dangle / passing; `source` has 1/d^2 at t in it
+        // the integral of 1/d^2 over the step is dangle / passing; `source` has 1/d^2 at t in it
         float metres = passing * (1.0 + tangent * tangent) * dangle;
-        sum += source(light, medium, ray, t) * media_transmittance(ray.origin, ray.direction, 0.0, t) * metres;
+#ifdef ONE_MEDIUM
+        vec3 to_eye = exp(-media[medium].sigma_t.rgb * (t - t0));
+#else
+        vec3 to_eye = media_transmittance(ray.origin, ray.direction, 0.0, t);
+#endif
+        sum += source(ray, t) * to_eye * metres;
+        at = vec2(at.x * turn.x - at.y * turn.y, at.y * turn.x + at.x * turn.y);
     }
     return sum;
 }
+#endif
 
 void main() {
     ivec2 pixel = min(ivec2(gl_FragCoord.xy) * pixel_step, ivec2(frame.size_time.xy) - 1);
     float depth = texelFetch(scene_depth, pixel, 0).r;
     vec2 uv = (vec2(pixel) + 0.5) / frame.size_time.xy;
     Ray ray = Ray(frame.eye_near.xyz, eye_ray(uv));
-    float end = depth > 0.0 ? eye_distance(uv, depth) : 1e6;
-    float offset = jitter != 0 ? texelFetch(blue_noise, ivec2(gl_FragCoord.xy) & 63, 0).r : 0.5;
+    float end = depth > 0.0 ? eye_distance(uv, depth) : farthest;
+    float offset = fixed_offset >= 0.0 ? fixed_offset : texelFetch(blue_noise, ivec2(gl_FragCoord.xy) & 63, 0).r;
 
-    vec3 sum = vec3(0.0);
-    for (int medium = 0; medium < media_count; ++medium) {
-        float m0 = 0.0, m1 = end;
-        if (!clip_to_medium(medium, ray.origin, ray.direction, m0, m1)) continue;
-        for (uint light = 0u; light < uint(light_count); ++light) {
-            float t0 = m0, t1 = m1;
-            if (!light_segment(light, ray.origin, ray.direction, t0, t1)) continue;
-            sum += int(lights[light].direction_kind.w) == LIGHT_DIRECTIONAL ? march_uniform(light, medium, ray, t0, t1, offset)
-                                                                            : march_equi_angular(light, medium, ray, t0, t1, offset);
-        }
-    }
-    in_scatter = vec4(sum, end);
+    in_scatter = vec4(0.0, 0.0, 0.0, end);
+    float t0 = 0.0, t1 = end;
+    if (!clip_to_medium(medium, ray.origin, ray.direction, t0, t1)) return;
+    float entry = t0;
+    if (!light_segment(light_index, ray.origin, ray.direction, t0, t1)) return;
+    in_scatter.rgb = media[medium].sigma_s_phase.rgb * march(ray, t0, t1, offset);
+#ifdef ONE_MEDIUM
+    in_scatter.rgb *= exp(-media[medium].sigma_t.rgb * (t0 - entry));
+#endif
 }
