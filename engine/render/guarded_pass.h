@@ -1,10 +1,10 @@
 #pragma once
 /// A pass that may fail without taking the frame with it.
 
+#include <exception>
 #include <string>
 #include <utility>
 
-#include "core/error.h"
 #include "core/log.h"
 #include "render/frame_graph.h"
 
@@ -20,7 +20,7 @@ class GuardedPass final : public Pass {
         try {
             pass_.execute(context);
             problem_.clear();
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
             std::string text = "pass '" + std::string(pass_.name()) + "': " + error.what();
             if (text != problem_) log::error("{}", text);
             problem_ = std::move(text);

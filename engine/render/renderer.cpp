@@ -72,12 +72,14 @@ struct Renderer::Implementation {
     uint64_t settings_fingerprint = 0;
     bool antialiased = false;
     std::string graph_problem;
+    std::string frame_problem;
     glm::ivec2 size{16, 16};
 
     [[nodiscard]] std::vector<Pass*> engine_passes();
     void rebuild();
     bool build(std::vector<Pass*> passes);
     void refresh();
+    void draw(const RenderScene& scene);
 };
 
 /// In the order of the frame; the graph orders by data and stage.
@@ -201,7 +203,9 @@ void Renderer::show(std::string_view target) {
     self_->dirty = true;
 }
 
-const std::string& Renderer::shown() const { return self_->shown; }
+const std::string& Renderer::shown() const {
+    return self_->shown;
+}
 
 void Renderer::retain(std::vector<std::string> targets) {
     self_->retained = std::move(targets);
@@ -212,15 +216,24 @@ void Renderer::render(const RenderScene& scene, glm::ivec2 size) {
     Implementation& self = *self_;
     self.size = glm::max(size, glm::ivec2(1));
     self.refresh();
-    self.gpu_scene.update(scene, self.seams);
-    self.probes.update(scene);
-    self.block.update(scene, self.size);
-    const FrameBlock& block = self.block.block();
-    self.shadow_maps.prepare(scene, self.gpu_scene.bounds(), glm::vec2(block.tan_half_fov_exposure));
-    self.light_buffer.update(scene, self.shadow_maps, self.gpu_scene, self.shaders);
-    Frame frame{scene,         self.shaders, self.seams,          self.gpu_scene,   self.shadow_maps,
-                self.settings, block,        self.block.buffer(), self.light_buffer};
-    self.graph.execute(frame, self.size, scene.camera_cut);
+    try {
+        self.draw(scene);
+        self.frame_problem.clear();
+    } catch (const Error& error) {  // an asset that the driver cannot take
+        if (self.frame_problem != error.what()) log::error("{}", error.what());
+        self.frame_problem = error.what();
+    }
+}
+
+void Renderer::Implementation::draw(const RenderScene& scene) {
+    gpu_scene.update(scene, seams);
+    probes.update(scene);
+    block.update(scene, size);
+    const FrameBlock& values = block.block();
+    shadow_maps.prepare(scene, gpu_scene.bounds(), glm::vec2(values.tan_half_fov_exposure));
+    light_buffer.update(scene, shadow_maps, gpu_scene, shaders);
+    Frame frame{scene, shaders, seams, gpu_scene, shadow_maps, settings, values, block.buffer(), light_buffer};
+    graph.execute(frame, size, scene.camera_cut);
 }
 
 const gpu::Texture* Renderer::target(std::string_view name) const {
@@ -233,7 +246,7 @@ int Renderer::reload_changed() {
 
 std::string Renderer::problems() const {
     std::string text = self_->shaders.broken();
-    for (const std::string& problem : {self_->graph_problem}) {
+    for (const std::string& problem : {self_->graph_problem, self_->frame_problem}) {
         if (!problem.empty()) text += (text.empty() ? "" : "\n") + problem;
     }
     for (const auto& pass : self_->guarded)
