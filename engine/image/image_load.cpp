@@ -53,6 +53,24 @@ void check_jpeg_end(std::string_view content, std::string_view name) {
     fail(name, "the JPEG is truncated or corrupt: it has no end mark");
 }
 
+/// OpenImageIO leaks memory where libpng asks for bytes past the end: we follow the chunks to the last one first.
+void check_png_end(std::string_view content, std::string_view name) {
+    for (size_t at = 8; at + 12 <= content.size();) {
+        size_t length = 0;
+        for (size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(content[at + i]);
+        if (length > content.size() - at - 12) break;
+        if (content.substr(at + 4, 4) == "IEND") return;
+        at += 12 + length;
+    }
+    fail(name, "the PNG is truncated or corrupt: it has no end mark");
+}
+
+/// Finds out early whether a picture is cut off, where its reader would not say so or would not cope.
+void check_end(std::string_view content, std::string_view format, std::string_view name) {
+    if (format == "jpeg") check_jpeg_end(content, name);
+    if (format == "png") check_png_end(content, name);
+}
+
 Image::Type type_of(const OIIO::TypeDesc& format) {
     if (format == OIIO::TypeUInt8) return Image::Type::u8;
     if (format == OIIO::TypeUInt16) return Image::Type::u16;
@@ -71,7 +89,7 @@ struct Reader {
 
     Reader(std::string_view content, std::string_view picture_name) : name(picture_name) {
         const std::string format = format_of(content, name);
-        if (format == "jpeg") check_jpeg_end(content, name);
+        check_end(content, format, name);
         input = OIIO::ImageInput::create(format);
         if (!input) fail(name, "OpenImageIO was built without " + format + ": " + OIIO::geterror());
         if (!input->supports("ioproxy")) fail(name, format + " pictures can be read from files only");
@@ -157,7 +175,7 @@ Reader open_file(const std::filesystem::path& file, bool whole) {
         return bytes;
     }();
     const std::string format = format_of(head, file.string());
-    if (whole && format == "jpeg") check_jpeg_end(paths::read_file(file), file.string());
+    if (whole && (format == "jpeg" || format == "png")) check_end(paths::read_file(file), format, file.string());
     return {file, format};
 }
 
