@@ -107,10 +107,13 @@ void FilterPass::declare(PassDeclaration& declaration) {
 }
 
 void FilterPass::execute(PassContext& context) {
-    static const gpu::ProgramDesc kDesc{.name = "participating_media.filter",
-                                        .fragment = "participating_media/filter.frag"};
+    static const gpu::ProgramDesc kFull{
+        .name = "participating_media.filter", .fragment = "participating_media/filter.frag", .defines = {"RADIUS 1"}};
+    static const gpu::ProgramDesc kHalf{
+        .name = "participating_media.filter", .fragment = "participating_media/filter.frag", .defines = {"RADIUS 2"}};
     context.bind_targets();
-    const gpu::Program& program = context.frame().shaders.program(kDesc);
+    const gpu::Program& program =
+        context.frame().shaders.program(settings_.resolution == Resolution::half ? kHalf : kFull);
     program.use();
     program.texture("marched", context.texture("media_in_scatter_marched"), {.filter = gpu::Filter::nearest});
     gpu::draw_fullscreen();

@@ -38,7 +38,7 @@ class MarchPass final : public Pass {
     std::map<std::pair<PhaseKind, bool>, LightPrograms> programs_;
 };
 
-/// Averages 5x5 marched pixels of like distance: the errors of the blue-noise mask cancel there.
+/// Averages 3x3 (half resolution: 5x5) marched pixels of like distance: the errors of the blue-noise mask cancel there.
 class FilterPass final : public Pass {
  public:
     explicit FilterPass(const MarchSettings& settings) : settings_(settings) {}

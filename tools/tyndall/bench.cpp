@@ -111,8 +111,9 @@ int bench(const BenchOptions& options) {
     const double whole = frame_time(engine, options, size);
     const FrameStatistics statistics = engine.renderer().statistics();
     fmt::print("{:36} {:9.2f}   (median of {}, glFinish and CPU clock)\n", "whole frame", whole, options.frames);
-    fmt::print("triangles {}, targets {:.1f} MB, peak memory {:.0f} MB\n", statistics.triangles,
-               static_cast<double>(statistics.target_bytes) / 1e6, peak_memory_mb());
+    fmt::print("triangles {}, targets {:.1f} MB, all textures {:.1f} MB, peak memory {:.0f} MB\n", statistics.triangles,
+               static_cast<double>(statistics.target_bytes) / 1e6,
+               static_cast<double>(gpu::alive().texture_bytes) / 1e6, peak_memory_mb());
     return 0;
 }
 
