@@ -125,6 +125,8 @@ class Texture : public Handle {
     /// One whole layer (face, slice) of one mip, tightly packed texels of `format()`; 8/16/32 bits a channel as the
     /// format has.
     void upload(int mip, int layer, const void* texels);
+    /// The same into a format with four channels from texels of three; alpha becomes 1.
+    void upload_rgb(int mip, int layer, const void* texels);
     void generate_mips();
     /// Every texel of one mip; depth and integer formats take `value.x`.
     void clear(int mip, glm::vec4 value);
@@ -133,6 +135,7 @@ class Texture : public Handle {
     [[nodiscard]] std::vector<glm::vec4> read(int mip = 0, int layer = 0) const;
 
  private:
+    void upload_as(int mip, int layer, unsigned int channels, const void* texels);
     TextureDesc desc_;
 };
 

@@ -108,14 +108,23 @@ Texture::~Texture() {
 }
 
 void Texture::upload(int mip, int layer, const void* texels) {
+    upload_as(mip, layer, info(desc_.format).external, texels);
+}
+
+void Texture::upload_rgb(int mip, int layer, const void* texels) {
+    assert(info(desc_.format).external == GL_RGBA);
+    upload_as(mip, layer, GL_RGB, texels);
+}
+
+void Texture::upload_as(int mip, int layer, unsigned int channels, const void* texels) {
     assert(mip < desc_.mips && layer < depth_of(desc_, mip));
-    const FormatInfo& format = info(desc_.format);
+    const unsigned int type = info(desc_.format).type;
     const glm::ivec2 size = size_of(desc_, mip);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (desc_.shape == Shape::flat)
-        glTextureSubImage2D(name_, mip, 0, 0, size.x, size.y, format.external, format.type, texels);
+        glTextureSubImage2D(name_, mip, 0, 0, size.x, size.y, channels, type, texels);
     else
-        glTextureSubImage3D(name_, mip, 0, 0, layer, size.x, size.y, 1, format.external, format.type, texels);
+        glTextureSubImage3D(name_, mip, 0, 0, layer, size.x, size.y, 1, channels, type, texels);
 }
 
 void Texture::generate_mips() {

@@ -7,7 +7,13 @@
 namespace tyndall {
 namespace {
 
+/// Grey maps, such as occlusion, take a byte a texel.
+bool is_single(const TextureAsset& asset) {
+    return asset.image.channels == 1 && asset.image.type == Image::Type::u8 && !asset.srgb_encoded;
+}
+
 gpu::Format format_of(const TextureAsset& asset) {
+    if (is_single(asset)) return gpu::Format::r8;
     switch (asset.image.type) {
         case Image::Type::u8:
             return asset.srgb_encoded ? gpu::Format::srgb8_alpha8 : gpu::Format::rgba8;
@@ -48,12 +54,18 @@ gpu::Texture upload(const TextureAsset& asset) {
     desc.height = asset.image.height;
     desc.mips = asset.filter == TextureFilter::trilinear ? 0 : 1;
     gpu::Texture texture(desc, asset.name);
-    if (asset.image.channels == 4) {
+    if (asset.image.channels == 4 || is_single(asset)) {
         texture.upload(0, 0, asset.image.pixels.data());
+    } else if (asset.image.channels == 3) {
+        texture.upload_rgb(0, 0, asset.image.pixels.data());
     } else {
         texture.upload(0, 0, with_channels(asset.image, 4).pixels.data());
     }
     if (desc.mips == 0) texture.generate_mips();
+    if (is_single(asset)) {  // grey is red, green and blue
+        const GLint grey[] = {GL_RED, GL_RED, GL_RED, GL_ONE};
+        glTextureParameteriv(texture.name(), GL_TEXTURE_SWIZZLE_RGBA, grey);
+    }
     return texture;
 }
 
