@@ -23,7 +23,7 @@ def plank(mesh, rng, a, b, w, h, up=(0, 1, 0), r=0.006, wear=0.0018, steps=5):
     mesh.sweep(s, n, path, np.broadcast_to(side, path.shape), np.broadcast_to(up, path.shape), rng.uniform(0, 2.4, 2), closed=True, caps=True)
 
 
-def bench_end_outline(n=26):
+def bench_end_outline(n=32):
     """Front and back edge of a bench end over its height, crowned by a rounded poppy head."""
     y = np.concatenate([np.linspace(0, .9, 14), .9 + .26 * (1 - np.cos(np.linspace(0.12, np.pi, n - 14))) / 2])
     front = np.interp(y, [0, .06, .07, .3, .42, .52, .62, .8, .9], [-.25, -.25, -.225, -.225, -.235, -.215, -.02, .13, .17])
@@ -31,7 +31,7 @@ def bench_end_outline(n=26):
     head = y > .9
     c, r = 1.02, .14
     bulge = np.sqrt(np.maximum(r ** 2 - (y - c) ** 2, 0)) * 0.85
-    neck = np.maximum(.05, bulge) + 0.02 * np.cos((y - c) * 60) * (bulge > .05)
+    neck = np.maximum(.05, bulge) + 0.012 * np.cos((y - c) * 45) * (bulge > .05)
     front = np.where(head, .27 - neck, front)
     back = np.where(head, .27 + neck, back)
     front[-1] = back[-1] = .27

@@ -63,7 +63,6 @@ class Writer:
             pbr["baseColorTexture"] = self.texture(d["glass"])
             pbr["baseColorFactor"] = [.12, .12, .12, 1.0]
             m["emissiveTexture"] = self.texture(d["glass"])
-            m["emissiveFactor"] = [1.0, 1.0, 1.0]
         if "strength" in d:
             self.extension(m, "KHR_materials_emissive_strength", dict(emissiveStrength=d["strength"]))
         if "transmission" in d:

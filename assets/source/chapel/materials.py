@@ -21,12 +21,12 @@ MATERIALS = {
     "wax": dict(tile=(1, 1), base=(.83, .74, .58, 1), roughness=.45, metallic=0),
     "linen": textured("linen", (0.5, 0.5), ao=True, double_sided=True),
     "brocade": textured("brocade", (1.0, 1.0), ao=False, double_sided=True),
-    "flame": dict(tile=(1, 1), base=(0, 0, 0, 1), roughness=1, metallic=0, emissive=(1.0, .58, .22), strength=9000.0, double_sided=True),
+    "flame": dict(tile=(1, 1), base=(0, 0, 0, 1), roughness=1, metallic=0, emissive=(1.0, .55, .18), strength=5000.0, double_sided=True),
     "water": dict(tile=(1, 1), base=(.035, .05, .045, 1), roughness=.03, metallic=0, transmission=.9, ior=1.33, normal="textures/water_normal.png"),
 }
 
 DESIGNS = ["a", "b", "c", "east", "rose"]
 for _design in DESIGNS:
-    for _lit, _strength in (("sun", LIT_BY_SUN), ("sky", LIT_BY_SKY)):
-        MATERIALS[f"glass_{_design}_{_lit}"] = dict(tile=(1, 1), glass=f"textures/glass_{_design}.jpg", strength=_strength,
+    for _lit, _strength, _tint in (("sun", LIT_BY_SUN, (1.0, .97, .92)), ("sky", LIT_BY_SKY, (.80, .93, 1.0))):
+        MATERIALS[f"glass_{_design}_{_lit}"] = dict(tile=(1, 1), glass=f"textures/glass_{_design}.jpg", strength=_strength, emissive=_tint,
                                                     roughness=.25, metallic=0, double_sided=True)

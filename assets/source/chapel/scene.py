@@ -24,7 +24,7 @@ def entities():
     found.append(dict(name="Indoor light", transform=dict(translation=[0, 3, 0]),
                       light_probe=dict(file="probe_nave.exr", intensity=1.0, extent_m=[6, 13, 12])))
     found.append(dict(name="Dust", transform=dict(translation=[0, 5.4, 0], scale=[7.98, 10.8, 19.98]),
-                      medium=dict(bounds=dict(box={}), scattering_per_m=[0.02, 0.02, 0.02], absorption_per_m=[0.002, 0.002, 0.002],
+                      medium=dict(bounds=dict(box={}), scattering_per_m=[0.016, 0.016, 0.016], absorption_per_m=[0.002, 0.002, 0.002],
                                   phase=dict(henyey_greenstein=dict(g=0.55)))))
     warm = [1.0, 0.66, 0.32]
     for i, (x, y, z) in enumerate(things.CHANDELIERS):
@@ -40,7 +40,7 @@ def entities():
     for name, (eye, target, fov, ev) in views.CAMERAS.items():
         found.append(dict(name=name, transform=dict(translation=list(eye), look_at=list(target)), camera=dict(vertical_fov_deg=fov, ev100=ev, near_m=0.1)))
     eye, target = views.FLY[0]
-    found.append(dict(name="Fly-through", transform=dict(translation=list(eye), look_at=list(target)), camera=dict(vertical_fov_deg=58, ev100=8.5, near_m=0.1),
+    found.append(dict(name="Fly-through", transform=dict(translation=list(eye), look_at=list(target)), camera=dict(vertical_fov_deg=58, ev100=8.0, near_m=0.1),
                       camera_path=dict(duration_s=40, points=[dict(position=list(p), look_at=list(q)) for p, q in views.FLY])))
     return found
 

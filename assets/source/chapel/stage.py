@@ -45,20 +45,23 @@ def light(scene):
     scene.collection.objects.link(lamp)
     for m in bpy.data.materials:
         if m.name.startswith("glass_"):
-            _glass(m, materials.MATERIALS[m.name]["strength"] / UNIT)
+            _glass(m, materials.MATERIALS[m.name])
         elif m.name == "flame":
             m.node_tree.nodes["Principled BSDF"].inputs["Emission Strength"].default_value = materials.MATERIALS["flame"]["strength"] / UNIT
         elif m.name == "water":
             m.node_tree.nodes["Principled BSDF"].inputs["Transmission"].default_value = 0
 
 
-def _glass(m, strength):
+def _glass(m, described):
     tree = m.node_tree
     image = next(n for n in tree.nodes if n.type == "TEX_IMAGE")
     out = next(n for n in tree.nodes if n.type == "OUTPUT_MATERIAL")
     emit, clear, path, mix = (tree.nodes.new(t) for t in ("ShaderNodeEmission", "ShaderNodeBsdfTransparent", "ShaderNodeLightPath", "ShaderNodeMixShader"))
-    emit.inputs["Strength"].default_value = strength
-    tree.links.new(image.outputs["Color"], emit.inputs["Color"])
+    emit.inputs["Strength"].default_value = described["strength"] / UNIT
+    tint = tree.nodes.new("ShaderNodeVectorMath")
+    tint.operation, tint.inputs[1].default_value = "MULTIPLY", described["emissive"]
+    tree.links.new(image.outputs["Color"], tint.inputs[0])
+    tree.links.new(tint.outputs[0], emit.inputs["Color"])
     tree.links.new(image.outputs["Color"], clear.inputs["Color"])
     tree.links.new(path.outputs["Is Shadow Ray"], mix.inputs[0])
     tree.links.new(emit.outputs[0], mix.inputs[1])

@@ -213,9 +213,9 @@ def water(folder):
 
 
 MAKERS = {
-    "ashlar": lambda f: stone(f, "ashlar", 2048, 4.0, (.27, .40), (.45, .85), .010, 100, (.515, .440, .325), 1.0, quality=84),
-    "dressed": lambda f: stone(f, "dressed", 1024, 2.0, (.42, .58), (2.0, 2.0), .006, 200, (.55, .48, .365), .6, perpends=False, depth=.003),
-    "web": lambda f: stone(f, "web", 1024, 2.4, (.16, .22), (.28, .5), .010, 300, (.58, .515, .41), .9, depth=.005),
+    "ashlar": lambda f: stone(f, "ashlar", 2048, 4.0, (.27, .40), (.45, .85), .010, 100, (.525, .472, .385), 1.0, quality=84),
+    "dressed": lambda f: stone(f, "dressed", 1024, 2.0, (.42, .58), (2.0, 2.0), .006, 200, (.56, .51, .425), .6, perpends=False, depth=.003),
+    "web": lambda f: stone(f, "web", 1024, 2.4, (.16, .22), (.28, .5), .010, 300, (.60, .555, .475), .9, depth=.005),
     "flagstone": flagstone, "oak": oak, "iron": iron, "linen": linen, "brocade": brocade, "water": water,
 }
 

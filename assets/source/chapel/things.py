@@ -47,10 +47,10 @@ def candle(wax, flame, foot, height, radius, rng, key):
         p.append(np.stack([r * drip * np.cos(th), h + wave, r * drip * np.sin(th)], -1))
     wax.grid(np.array(p) + foot, away=np.asarray(foot) + [0, height / 2, 0])
     t = np.linspace(0, 1, 10)
-    r = .0085 * np.sin(np.pi * t ** .62) ** .9 * (1 - .35 * t)
+    r = .011 * np.sin(np.pi * t ** .62) ** .9 * (1 - .35 * t)
     r[0] = r[-1] = 0
     top = np.asarray(foot) + [0, height - .006, 0]
-    lathe(flame, np.stack([r, t * .048], -1), top, 12)
+    lathe(flame, np.stack([r, t * .062], -1), top, 12)
     FLAMES[key].append((top + [0, .03, 0]).tolist())
 
 
