@@ -24,6 +24,7 @@ void describe(StructBuilder<Expectation>& d) {
     d.field("equals", &Expectation::equals, "Another variant that it is held against.");
     d.field("reference", &Expectation::reference,
             "A scene-linear image that it is held against: beside the capture, or references:NAME.");
+    d.field("display", &Expectation::display, "Judges the display pictures' values, 0 to 1, in place of the radiance.");
     d.field("scale", &Expectation::scale, "The other picture is multiplied by this first.").range(0, 1e6);
     d.field("box_filter", &Expectation::box_filter, "The judged picture is shrunk by this factor first.").range(1, 64);
     d.field("max_relmse", &Expectation::max_relmse, "Largest mean((x-r)^2 / (r^2 + (0.1 mean r)^2)).").range(-1, 1e6);

@@ -26,6 +26,7 @@ struct Expectation {
     std::string of = "plain";  ///< the variant that is judged
     std::string equals;        ///< another variant it is held against ...
     std::string reference;     ///< ... or a scene-linear image file: beside the capture, or "references:NAME"
+    bool display = false;      ///< compares the display pictures' values, 0..1, in place of the radiance
     float scale = 1.0f;        ///< the other picture is multiplied by this first
     int32_t box_filter = 1;    ///< the judged picture is shrunk by this factor first
     float max_relmse = -1.0f;

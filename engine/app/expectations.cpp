@@ -94,13 +94,18 @@ void compare_with(Judgement& judgement, const Expectation& wanted, const Image& 
                                d.psnr_db, d.worst_block, d.worst_block_x, d.worst_block_y));
 }
 
+/// What of a picture the numbers are taken from.
+Image judged_values(const CapturedPicture& picture, const Expectation& wanted) {
+    return wanted.display ? to_float(picture.display) : picture.radiance;
+}
+
 Verdict judge_one(const CaptureFile& capture, const Expectation& wanted,
                   const std::map<std::string, CapturedPicture>& pictures) {
     const CapturedPicture& picture = pictures.at(wanted.of);
     Verdict verdict;
     Judgement judgement;
     judgement.add("no NaN or Inf", finite(picture.radiance));
-    Image test = crop(picture.radiance, wanted.region);
+    Image test = crop(judged_values(picture, wanted), wanted.region);
     if (wanted.box_filter > 1) test = box_downsample(test, wanted.box_filter);
     if (wanted.mean_between.y >= 0.0f) {
         const double mean = mean_luminance(test);
@@ -110,7 +115,7 @@ Verdict judge_one(const CaptureFile& capture, const Expectation& wanted,
     }
     if (judgement.held() && !wanted.equals.empty()) {
         const CapturedPicture& other = pictures.at(wanted.equals);
-        Image expected = crop(other.radiance, wanted.region);
+        Image expected = crop(judged_values(other, wanted), wanted.region);
         if (wanted.box_filter > 1) expected = box_downsample(expected, wanted.box_filter);
         multiply(expected, wanted.scale);
         compare_with(judgement, wanted, expected, test);

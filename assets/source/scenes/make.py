@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+"""Makes the small pictures, light probes and the glTF sample of assets/scenes/. Needs nothing but Python; the results are committed.
+
+usage: assets/source/scenes/make.py
+"""
+import base64
+import json
+import math
+import pathlib
+import struct
+import zlib
+
+OUT = pathlib.Path(__file__).resolve().parents[2] / "scenes"
+
+
+def write_png(name, width, height, pixel):
+    """8-bit PNG; pixel(x, y) gives 3 or 4 values 0..255, y from the top."""
+    channels = len(pixel(0, 0))
+    rows = b"".join(b"\0" + bytes(v for x in range(width) for v in pixel(x, y)) for y in range(height))
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, {3: 2, 4: 6}[channels], 0, 0, 0)
+    (OUT / "textures" / name).write_bytes(
+        b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
+
+
+def write_hdr(name, width, height, radiance):
+    """Radiance RGBE without run lengths; radiance(u, v) in 0..1 from the top left."""
+    data = bytearray(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + f"-Y {height} +X {width}\n".encode())
+    for y in range(height):
+        for x in range(width):
+            rgb = radiance((x + 0.5) / width, (y + 0.5) / height)
+            mantissa, exponent = math.frexp(max(rgb))
+            scale = mantissa * 256 / max(rgb)
+            data += bytes([min(255, int(c * scale + 0.5)) for c in rgb] + [exponent + 128])
+    (OUT / "textures" / name).write_bytes(bytes(data))
+
+
+def noise(x, y):
+    """A fixed hash in 0..1."""
+    n = (x * 374761393 + y * 668265263) & 0xFFFFFFFF
+    n = ((n ^ (n >> 13)) * 1274126177) & 0xFFFFFFFF
+    return (n ^ (n >> 16)) / 0xFFFFFFFF
+
+
+def tiles(x, y):
+    """Four tiles of different colours with dark joints."""
+    if x % 32 < 2 or y % 32 < 2:
+        return 60, 56, 52
+    base = [(200, 188, 166), (150, 84, 62), (96, 112, 92), (176, 158, 130)][(x // 32) + 2 * (y // 32)]
+    shade = 0.92 + 0.08 * noise(x, y)
+    return tuple(int(c * shade) for c in base)
+
+
+def leaf(x, y):
+    """A pointed leaf with a vein on nothing."""
+    u, v = (x + 0.5) / 64 * 2 - 1, (y + 0.5) / 64
+    half_width = 0.62 * math.sin(math.pi * v) ** 0.8
+    inside = abs(u) < half_width
+    vein = abs(u) < 0.04 or abs((abs(u) * 0.9 + v * 2) % 0.28 - 0.14) < 0.02
+    return (118, 140, 62, 255 * inside) if vein else (62, 104, 38, 255 * inside)
+
+
+def window(x, y):
+    """Panes of coloured glass between leads."""
+    if x % 16 < 2 or y % 16 < 2 or x > 61 or y > 61:
+        return 0, 0, 0
+    return [(255, 210, 90), (70, 120, 255), (255, 70, 50), (90, 230, 120)][(x // 16 + 3 * (y // 16)) % 4]
+
+
+def normal(nx, ny):
+    nz = math.sqrt(max(0.0, 1 - nx * nx - ny * ny))
+    return tuple(int((c * 0.5 + 0.5) * 255 + 0.5) for c in (nx, ny, nz))
+
+
+def bumps_normal(x, y):
+    """Round studs, four to the picture."""
+    u, v = ((x + 0.5) / 32 % 1) * 2 - 1, 1 - ((y + 0.5) / 32 % 1) * 2
+    return normal(u * 0.9, v * 0.9) if u * u + v * v < 0.6 else (128, 128, 255)
+
+
+def tilted_normal(x, _):
+    """Left half leans 30 degrees to +U, right half to the picture's top."""
+    return normal(0.5, 0.0) if x < 8 else normal(0.0, 0.5)
+
+
+def evening(u, v):
+    """A clear evening: bright low in one direction, blue above, dim ground. cd/m2."""
+    up = math.cos(math.pi * v)
+    glow = max(0.0, math.cos(2 * math.pi * (u - 0.3))) ** 4 * math.exp(-((up - 0.15) / 0.25) ** 2)
+    if up < 0:
+        return 90 + 40 * up, 76 + 34 * up, 60 + 28 * up
+    return 220 + 1800 * glow, 300 + 1100 * glow, 480 + 420 * glow
+
+
+QUAD = {"position": [(-0.5, -0.5, 0), (0.5, -0.5, 0), (0.5, 0.5, 0), (-0.5, 0.5, 0)], "indices": [0, 1, 2, 0, 2, 3]}
+QUAD_UV = [(0, 1), (1, 1), (1, 0), (0, 0)]
+TRANSFORM = {"offset": [0.25, 0.4], "rotation": 0.5, "scale": [1.5, 0.75]}
+
+
+def transformed(uv):
+    """KHR_texture_transform: scale, then rotate, then offset."""
+    u, v = uv[0] * TRANSFORM["scale"][0], uv[1] * TRANSFORM["scale"][1]
+    c, s = math.cos(TRANSFORM["rotation"]), math.sin(TRANSFORM["rotation"])
+    return u * c + v * s + TRANSFORM["offset"][0], -u * s + v * c + TRANSFORM["offset"][1]
+
+
+class Gltf:
+    """Collects a buffer and its accessors."""
+
+    def __init__(self):
+        self.data = bytearray()
+        self.views, self.accessors = [], []
+
+    def add(self, values, kind, component, code, bounds=False):
+        flat = [c for v in values for c in (v if isinstance(v, tuple) else (v,))]
+        raw = struct.pack(f"<{len(flat)}{code}", *flat)
+        self.views.append({"buffer": 0, "byteOffset": len(self.data), "byteLength": len(raw)})
+        self.data += raw + bytes(-len(raw) % 4)
+        accessor = {"bufferView": len(self.views) - 1, "componentType": component, "count": len(values), "type": kind}
+        if bounds:
+            accessor["min"] = [min(v[i] for v in values) for i in range(3)]
+            accessor["max"] = [max(v[i] for v in values) for i in range(3)]
+        self.accessors.append(accessor)
+        return len(self.accessors) - 1
+
+
+def write_gltf():
+    g = Gltf()
+    position = g.add(QUAD["position"], "VEC3", 5126, "f", True)
+    normals = g.add([(0, 0, 1)] * 4, "VEC3", 5126, "f")
+    indices = g.add(QUAD["indices"], "SCALAR", 5123, "H")
+    plain_uv = g.add(QUAD_UV, "VEC2", 5126, "f")
+    baked_uv = g.add([transformed(uv) for uv in QUAD_UV], "VEC2", 5126, "f")
+    names = ["Transformed", "Baked", "Leaning", "Leaf"]
+    matte = {"KHR_materials_specular": {"specularFactor": 0}}
+
+    def material(name, texture=None, **more):
+        rough = {"metallicFactor": 0, "roughnessFactor": 1}
+        if texture is not None:
+            rough["baseColorTexture"] = texture
+        return {"name": name, "pbrMetallicRoughness": rough, "extensions": matte, **more}
+
+    gltf = {
+        "asset": {"version": "2.0", "generator": "assets/source/scenes/make.py"},
+        "extensionsUsed": ["KHR_texture_transform", "KHR_materials_specular"],
+        "scene": 0,
+        "scenes": [{"nodes": [0, 1, 2, 3]}],
+        "nodes": [{"name": name, "mesh": i, "translation": [2 * i, 0, 0]} for i, name in enumerate(names)],
+        "meshes": [{"name": name, "primitives": [{
+            "attributes": {"POSITION": position, "NORMAL": normals, "TEXCOORD_0": baked_uv if name == "Baked" else plain_uv},
+            "indices": indices, "material": i}]} for i, name in enumerate(names)],
+        "materials": [
+            material("Transformed", {"index": 0, "extensions": {"KHR_texture_transform": TRANSFORM}}),
+            material("Baked", {"index": 0}),
+            material("Leaning", normalTexture={"index": 1}),
+            material("Leaf", {"index": 2}, alphaMode="MASK", alphaCutoff=0.5, doubleSided=True),
+        ],
+        "textures": [{"source": 0, "sampler": 0}, {"source": 1, "sampler": 1}, {"source": 2, "sampler": 0}],
+        "samplers": [{"magFilter": 9729, "minFilter": 9987}, {"magFilter": 9728, "minFilter": 9728}],
+        "images": [{"uri": "textures/tiles.png"}, {"uri": "textures/tilted_normal.png"}, {"uri": "textures/leaf.png"}],
+        "accessors": g.accessors,
+        "bufferViews": g.views,
+        "buffers": [{"byteLength": len(g.data), "uri": "data:application/octet-stream;base64," + base64.b64encode(g.data).decode()}],
+    }
+    (OUT / "sample.gltf").write_text(json.dumps(gltf, indent=1) + "\n")
+
+
+(OUT / "textures").mkdir(exist_ok=True)
+write_png("tiles.png", 64, 64, tiles)
+write_png("leaf.png", 64, 64, leaf)
+write_png("window.png", 64, 64, window)
+write_png("bumps_normal.png", 64, 64, bumps_normal)
+write_png("tilted_normal.png", 16, 16, tilted_normal)
+write_hdr("uniform.hdr", 16, 8, lambda u, v: (1.0, 1.0, 1.0))
+write_hdr("evening.hdr", 128, 64, evening)
+write_gltf()
