@@ -8,14 +8,22 @@ import imageio
 from noise import blur, normal_map, smooth, spectral
 
 
+def shrunk(image, factor):
+    """The mean of blocks of factor x factor texels: memory goes where eyes look."""
+    h, w = image.shape[:2]
+    return image.reshape(h // factor, factor, w // factor, factor, -1).mean((1, 3))
+
+
 def write(folder, name, colour, rough, height, tile, occlusion=None, metal=None, quality=86):
     """Albedo is linear here; the colour map is stored sRGB-encoded, the ORM and normal maps are data."""
     h, w = rough.shape
     occlusion = np.ones_like(rough) if occlusion is None else occlusion
     metal = np.zeros_like(rough) if metal is None else metal
     imageio.save(folder / f"{name}_color.jpg", imageio.to_srgb(colour), quality)
-    imageio.save(folder / f"{name}_normal.jpg", normal_map(height, (tile[1] / h, tile[0] / w)), quality + 1)
-    imageio.save(folder / f"{name}_orm.jpg", np.stack([occlusion, rough, metal], -1), quality - 4)
+    large = max(w, h) > 1024  # normals of half, the rest of a quarter of the colours' size
+    normals = normal_map(height, (tile[1] / h, tile[0] / w))
+    imageio.save(folder / f"{name}_normal.jpg", shrunk(normals, 2) if large else normals, quality + 1)
+    imageio.save(folder / f"{name}_orm.jpg", shrunk(np.stack([occlusion, rough, metal], -1), 4 if large else 2), quality - 4)
 
 
 def mix(a, b, t):

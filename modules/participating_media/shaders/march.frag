@@ -14,7 +14,11 @@ uniform sampler2D blue_noise;
 uniform int steps;
 uniform float fixed_offset;  // of a step; negative = by blue noise
 uniform uint light_index;
+#ifdef ONE_MEDIUM
+const int medium = 0;
+#else
 uniform int medium;
+#endif
 uniform int pixel_step;  // full-resolution pixels from one marched pixel to the next
 uniform float farthest;  // metres; rays that hit nothing end here
 
