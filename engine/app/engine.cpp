@@ -1,5 +1,7 @@
 #include "app/engine.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 
 #include "core/log.h"
@@ -74,6 +76,8 @@ void Engine::replace_world(SceneFile next, const fs::path& file) {
     scene_path_ = file;
     restart_clock();
     apply_options();
+    extract();  // loads the assets now; what decoding them needed goes back before the GPU's copies are made
+    malloc_trim(0);
 }
 
 void Engine::apply_options() {

@@ -10,9 +10,9 @@
 namespace tyndall {
 namespace {
 
-constexpr int kLargest = 2048;
+constexpr int kLargest = 1024;
 constexpr size_t kMaxBytes = 64u << 20;
-constexpr gpu::Format kFormat = gpu::Format::rgba16f;
+constexpr gpu::Format kFormat = gpu::Format::rgba32f;
 
 /// Largest side among the images, a power of two within the limits.
 int common_size(const std::vector<const TextureAsset*>& images) {

@@ -15,7 +15,7 @@ class GpuScene;
 /// Copies the lights' gobo images into the layers of one texture: linear transmittance, one common size, with mips.
 class Gobos {
  public:
-    /// Copies again when the set of images has changed. Images larger than 2048 texels a side, or than what keeps all
+    /// Copies again when the set of images has changed. Images larger than 1024 texels a side, or than what keeps all
     /// of them within 64 MiB, are made smaller.
     void update(const RenderScene& scene, GpuScene& gpu_scene, gpu::ShaderLibrary& shaders);
     /// Layer of the image; -1 when it is null or unknown.
