@@ -19,11 +19,12 @@ def write(folder, name, colour, rough, height, tile, occlusion=None, metal=None,
     h, w = rough.shape
     occlusion = np.ones_like(rough) if occlusion is None else occlusion
     metal = np.zeros_like(rough) if metal is None else metal
-    imageio.save(folder / f"{name}_color.jpg", imageio.to_srgb(colour), quality)
-    large = max(w, h) > 1024  # normals of half, the rest of a quarter of the colours' size
-    normals = normal_map(height, (tile[1] / h, tile[0] / w))
-    imageio.save(folder / f"{name}_normal.jpg", shrunk(normals, 2) if large else normals, quality + 1)
-    imageio.save(folder / f"{name}_orm.jpg", shrunk(np.stack([occlusion, rough, metal], -1), 4 if large else 2), quality - 4)
+    # What a texture takes of memory goes where eyes look: walls first, then colours, then normals, then the rest.
+    colour, normals = imageio.to_srgb(colour), normal_map(height, (tile[1] / h, tile[0] / w))
+    packed = np.stack([occlusion, rough, metal], -1)
+    imageio.save(folder / f"{name}_color.jpg", shrunk(colour, 2) if name in ("oak", "flagstone", "linen", "brocade") else colour, quality)
+    imageio.save(folder / f"{name}_normal.jpg", shrunk(normals, 2) if w > 512 else normals, quality + 1)
+    imageio.save(folder / f"{name}_orm.jpg", shrunk(packed, 4 if w > 1024 else 2), quality - 4)
 
 
 def mix(a, b, t):
