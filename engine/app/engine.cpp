@@ -48,6 +48,7 @@ void Engine::load_scene(const fs::path& file, const Assignments& changes) {
 
 /// Modules that leave keep what the world had of theirs until they come back.
 void Engine::use_modules(const std::vector<std::string>& wanted) {
+    if (renderer_ && wanted != modules_->in_use()) renderer_->show({});
     for (const std::string& name : std::vector<std::string>(modules_->in_use()))
         if (std::ranges::find(wanted, name) == wanted.end()) modules_->unload(name);
     for (const std::string& name : wanted) modules_->load(name);

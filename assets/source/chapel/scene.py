@@ -59,7 +59,7 @@ def pretty(value, depth=0, width=150):
 
 
 if __name__ == "__main__":
-    scene = dict(tyndall=1, modules=["participating_media"], render=dict(path="deferred", view="ACES 1.0 SDR", camera="Nave", participating_media=dict(resolution="half", steps=16)), entities=entities())
+    scene = dict(tyndall=1, modules=["participating_media"], render=dict(path="deferred", view="ACES 1.0 SDR", camera="Nave", participating_media=dict(resolution="half", steps=12)), entities=entities())
     text = pretty(scene) + "\n"
     assert json.loads(text) == scene
     target = pathlib.Path(sys.argv[1]) / "chapel.json"

@@ -8,8 +8,8 @@ uniform sampler2D encoded;  // luma in alpha
 
 const float kEdgeThreshold = 0.125;   // contrast, relative to the brightest neighbour
 const float kEdgeMinimum = 0.03;      // and absolute
-const int kSteps = 6;                 // how far the ends of an edge are looked for ...
-const float kStepSizes[kSteps] = float[](1.0, 1.5, 2.0, 2.0, 4.0, 8.0);  // ... in pixels
+const int kSteps = 4;                 // how far the ends of an edge are looked for ...
+const float kStepSizes[kSteps] = float[](1.0, 1.5, 2.0, 4.0);  // ... in pixels
 
 float luma_at(vec2 at) { return textureLod(encoded, at, 0.0).a; }
 
