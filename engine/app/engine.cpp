@@ -28,8 +28,9 @@ Engine::Engine(bool rendering, const fs::path& ocio) : color_(ocio), assets_(col
 }
 
 Engine::~Engine() {
-    modules_.reset();
-}  // before the renderer and the world, where modules have things
+    if (renderer_) renderer_->show({});  // a module's target may be on show
+    modules_.reset();                    // before the renderer and the world, where modules have things
+}
 
 void Engine::load_scene(const fs::path& file, const Assignments& changes) {
     SceneFile next = SceneFile::load(file);
