@@ -89,6 +89,8 @@ std::string_view Timer::method() {
     return queries_lie() ? "glFinish and CPU clock" : "GL timer queries";
 }
 
-void finish() { glFinish(); }
+void finish() {
+    glFinish();
+}
 
 }  // namespace tyndall::gpu

@@ -88,7 +88,9 @@ std::string text_of(Seam seam, const Providers& providers) {
 
 }  // namespace
 
-std::string_view name_of(Seam seam) { return kNames.at(static_cast<size_t>(seam)); }
+std::string_view name_of(Seam seam) {
+    return kNames.at(static_cast<size_t>(seam));
+}
 
 struct Seams::Implementation {
     explicit Implementation(gpu::ShaderLibrary& library) : shaders(library) {}
