@@ -35,7 +35,7 @@ void draw_statistics(const OverlayText& text) {
 
 }  // namespace
 
-Overlay::Overlay(platform::Window& window) : window_(window) {
+Overlay::Overlay(platform::Window& window) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;

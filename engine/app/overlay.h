@@ -27,9 +27,6 @@ class Overlay {
     Overlay(const Overlay&) = delete;
     Overlay& operator=(const Overlay&) = delete;
     void draw(const OverlayText& text);
-
- private:
-    platform::Window& window_;
 };
 
 }  // namespace tyndall

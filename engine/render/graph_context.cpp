@@ -30,7 +30,8 @@ GraphPassContext::GraphPassContext(const DeclaredPass& pass, const GraphPlan& pl
         bindings_.push_back(std::move(binding));
     }
     // A pass that updates a target may also have said that it reads it: what may be drawn to is found first.
-    std::ranges::stable_partition(bindings_, [](const Binding& binding) { return binding.kind != Kind::read; });
+    std::stable_partition(bindings_.begin(), bindings_.end(),
+                          [](const Binding& binding) { return binding.kind != Kind::read; });
 }
 
 void GraphPassContext::begin(Frame& frame, const GraphTextures& textures, glm::ivec2 size) {

@@ -11,6 +11,8 @@ template <class... F>
 struct Overloaded : F... {
     using F::operator()...;
 };
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
 
 void set_phase(Medium& medium, PhaseKind kind, const glm::vec4& parameters) {
     medium.phase = kind;
