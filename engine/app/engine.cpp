@@ -29,7 +29,8 @@ Engine::Engine(bool rendering, const fs::path& ocio) : color_(ocio), assets_(col
 
 Engine::~Engine() {
     if (renderer_) renderer_->show({});  // a module's target may be on show
-    modules_.reset();                    // before the renderer and the world, where modules have things
+    scene_.clear();
+    modules_.reset();  // before the renderer and the world, where modules have things
 }
 
 void Engine::load_scene(const fs::path& file, const Assignments& changes) {
@@ -37,7 +38,7 @@ void Engine::load_scene(const fs::path& file, const Assignments& changes) {
     for (const auto& [pointer, value] : changes) next.set(pointer, value);
     const std::vector<std::string> before = modules_->in_use();
     use_modules(next.modules());
-    if (std::vector<Diagnostic> problems = next.validate(registry_, settings_); !problems.empty()) {
+    if (std::vector<Diagnostic> problems = next.validate(registry_, settings_, modules_->in_use()); !problems.empty()) {
         use_modules(before);
         for (Diagnostic& problem : problems)
             if (problem.where.file.empty()) problem.where.file = file.string();
@@ -50,8 +51,9 @@ void Engine::load_scene(const fs::path& file, const Assignments& changes) {
 /// Modules that leave keep what the world had of theirs until they come back.
 void Engine::use_modules(const std::vector<std::string>& wanted) {
     if (renderer_ && wanted != modules_->in_use()) renderer_->show({});
-    for (const std::string& name : std::vector<std::string>(modules_->in_use()))
-        if (std::ranges::find(wanted, name) == wanted.end()) modules_->unload(name);
+    scene_.clear();  // materials that a module's extractor made are freed by code of the module
+    for (const ModuleReport& report : modules_->reports())
+        if (std::ranges::find(wanted, report.name) == wanted.end()) modules_->unload(report.name);
     for (const std::string& name : wanted) modules_->load(name);
 }
 
@@ -69,7 +71,7 @@ void Engine::replace_world(SceneFile next, const fs::path& file) {
     settings_.reset();
     options_ = {};
     assets_.set_base(fs::absolute(file).parent_path());
-    next.instantiate(world_, settings_, options_);
+    next.instantiate(world_, settings_, options_, modules_->in_use());
     scene_file_ = std::move(next);
     if (scene_path_ != file) {
         watch_.remove(scene_path_);
@@ -117,7 +119,8 @@ void Engine::frame(double seconds, glm::ivec2 size, const std::optional<View>& v
 }
 
 void Engine::reload_changed() {
-    modules_->reload_changed();
+    scene_.clear();                                                      // as in use_modules
+    if (!modules_->reload_changed().empty()) scene_file_.adopt(world_);  // what waited in the text for a module
     assets_.reload_changed();
     if (renderer_) renderer_->reload_changed();
     for (const fs::path& file : watch_.changed()) {

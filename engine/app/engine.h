@@ -59,7 +59,7 @@ class Engine {
     void cut() { cut_ = true; }
 
     /// Reloads what changed on disk: modules, shaders, assets, the scene, the OCIO configuration. Broken ones keep
-    /// their last good state.
+    /// their last good state. `scene` is empty until the next frame.
     void reload_changed();
     /// What is broken just now and runs on its last good state; empty when all is well.
     [[nodiscard]] std::string problems() const;

@@ -1,5 +1,6 @@
 #include "module/kept_state.h"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -21,6 +22,25 @@ struct Place {
 
 Json parsed(const std::string& text) {
     return text.empty() ? Json::object() : Json::parse(text);
+}
+
+/// Puts the values of now over what is kept and leaves the fields that `type` does not know, in nested objects too.
+/// Of a choice that was made anew nothing old is kept: it has one key.
+void take(Json& kept, const Json& now, const StructType& type) {
+    if (!kept.is_object()) kept = Json::object();
+    for (const auto& [key, value] : now.items()) {
+        const Field* field = type.find(key);
+        Json& old = kept[key];
+        if (field && field->kind == FieldKind::structure && value.is_object()) {
+            take(old, value, *field->type);
+        } else if (field && field->kind == FieldKind::choice && value.size() == 1 && old.is_object() &&
+                   old.contains(value.begin().key())) {
+            const auto at = std::ranges::find(field->names, value.begin().key()) - field->names.begin();
+            take(old.begin().value(), value.begin().value(), *field->alternatives.at(static_cast<size_t>(at)));
+        } else {
+            old = value;
+        }
+    }
 }
 
 void report(const std::vector<Diagnostic>& problems, const std::string& name) {
@@ -47,16 +67,13 @@ void KeptState::save(const ModuleHost& host, const Registration& registration) {
         });
         for (World* world : host.worlds)
             for (const Entity entity : world->entities())
-                if (const void* value = std::as_const(*world).find(entity, id)) {
-                    Json& kept = self_->components[{world, entity.index, entity.generation, name}];
-                    if (kept.is_null()) kept = Json::object();
-                    kept.update(parsed(component_to_json(type, value)));
-                }
+                if (const void* value = std::as_const(*world).find(entity, id))
+                    take(self_->components[{world, entity.index, entity.generation, name}],
+                         parsed(component_to_json(type, value)), type);
     }
     for (const std::string& name : registration.settings_names()) {
-        Json& kept = self_->settings[name];
-        if (kept.is_null()) kept = Json::object();
-        kept.update(parsed(component_to_json(*host.settings.type(name), std::as_const(host.settings).find(name))));
+        const StructType& type = *host.settings.type(name);
+        take(self_->settings[name], parsed(component_to_json(type, std::as_const(host.settings).find(name))), type);
     }
 }
 

@@ -13,12 +13,16 @@ namespace tyndall {
 /// file is never mistaken for the one in use; the copy is deleted as soon as it is mapped.
 class ModuleLibrary {
  public:
-    /// Throws Error: no such file, not a library, entry points missing, another ABI, another name, or creation threw.
+    /// Throws Error: no such file, not a library, cut short, entry points missing, another ABI or another name. Runs no
+    /// code of the module but its statics and tyndall_module_info.
     ModuleLibrary(const std::filesystem::path& file, const std::string& name);
     ~ModuleLibrary();
     ModuleLibrary(const ModuleLibrary&) = delete;
     ModuleLibrary& operator=(const ModuleLibrary&) = delete;
 
+    /// Makes the module object, once what it depends on is there. Throws Error when its constructor does.
+    void create();
+    /// After `create`.
     [[nodiscard]] Module& module() const { return *module_; }
     [[nodiscard]] const ModuleInfo& info() const { return *info_; }
 
@@ -27,6 +31,7 @@ class ModuleLibrary {
     void check(const std::string& name) const;
     void* handle_ = nullptr;
     const ModuleInfo* info_ = nullptr;
+    Module* (*create_)() = nullptr;
     Module* module_ = nullptr;
     void (*destroy_)(Module*) = nullptr;
 };

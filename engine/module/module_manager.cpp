@@ -22,6 +22,22 @@ std::vector<std::string> split(std::string_view list) {
     return parts;
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// A module is being loaded as long as this lives.
+class Loading {
+ public:
+    Loading(std::vector<std::string>& list, const std::string& name) : list_(list) { list_.push_back(name); }
+    ~Loading() { list_.pop_back(); }
+    Loading(const Loading&) = delete;
+    Loading& operator=(const Loading&) = delete;
+
+ private:
+    std::vector<std::string>& list_;
+};
+
 }  // namespace
 
 const char* abi_tag() {
@@ -60,25 +76,25 @@ ModuleManager::~ModuleManager() {
 bool ModuleManager::load(const std::string& name) {
     if (loaded(name)) return true;
     ModuleState state = ModuleState::not_found;
-    loading_.push_back(name);
+    const Loading guard(loading_, name);
     try {
         check_name(name);
         state = ModuleState::wrong_interface;
         auto library = std::make_unique<ModuleLibrary>(file(name), name);
-        check_dependencies(*library, state);
+        state = ModuleState::unresolved_dependency;
+        check_dependencies(*library);
         state = ModuleState::failed;
+        library->create();
         auto registration = install(*library);
         Entry& entry = modules_[name];
         entry.library = std::move(library);
         entry.registration = std::move(registration);
-        entry.kept.restore(host_, *entry.registration);
         entry.state = ModuleState::loaded;
         entry.problem.clear();
         order_.push_back(name);
-        loading_.pop_back();
+        entry.kept.restore(host_, *entry.registration);
         return true;
     } catch (const std::exception& error) {
-        loading_.pop_back();
         return fail(name, state, error);
     }
 }
@@ -86,19 +102,19 @@ bool ModuleManager::load(const std::string& name) {
 bool ModuleManager::reload(const std::string& name) {
     if (!loaded(name)) return load(name);
     Entry& entry = modules_[name];
+    const Loading guard(loading_, name);
     try {
-        ModuleState state = ModuleState::wrong_interface;
         auto next = std::make_unique<ModuleLibrary>(file(name), name);
-        check_dependencies(*next, state);
+        check_dependencies(*next);
+        next->create();
         entry.kept.save(host_, *entry.registration);
         entry.registration.reset();
         try {
             entry.registration = install(*next);
             std::swap(entry.library, next);
-        } catch (Error& error) {
-            entry.registration = install(*entry.library);
-            entry.kept.restore(host_, *entry.registration);
-            throw error;
+        } catch (const Error& error) {
+            go_back(name, error);
+            throw;
         }
         entry.kept.restore(host_, *entry.registration);
         entry.state = ModuleState::loaded;
@@ -106,25 +122,34 @@ bool ModuleManager::reload(const std::string& name) {
         log::info("module {} reloaded", name);
         return true;
     } catch (const std::exception& error) {
-        return fail(name, ModuleState::outdated, error);
+        return fail(name, loaded(name) ? ModuleState::outdated : ModuleState::failed, error);
+    }
+}
+
+/// Installs the library that was in use again; when even that fails now, the module is unloaded.
+void ModuleManager::go_back(const std::string& name, const Error& why) {
+    Entry& entry = modules_[name];
+    try {
+        entry.registration = install(*entry.library);
+        entry.kept.restore(host_, *entry.registration);
+    } catch (const Error& error) {
+        unload(name);
+        throw Error(std::string(why.what()) + "; the build before it does not install again: " + error.what());
     }
 }
 
 void ModuleManager::unload(const std::string& name) {
-    const auto place = std::find(order_.begin(), order_.end(), name);
-    if (place == order_.end()) return;
-    const std::vector<std::string> later(place + 1, order_.end());
-    for (auto other = later.rbegin(); other != later.rend(); ++other) {
-        if (!loaded(*other)) continue;
-        const auto depends = split(modules_[*other].library->info().depends);
-        if (std::find(depends.begin(), depends.end(), name) != depends.end()) unload(*other);
-    }
-    Entry& entry = modules_[name];
-    entry.kept.save(host_, *entry.registration);
+    const auto found = modules_.find(name);
+    if (found == modules_.end()) return;
+    for (const std::string& other : std::vector<std::string>(order_.rbegin(), order_.rend()))
+        if (contains(dependencies(other), name)) unload(other);
+    Entry& entry = found->second;
+    if (entry.registration) entry.kept.save(host_, *entry.registration);
     entry.registration.reset();
-    if (host_.renderer) host_.renderer->shaders().remove_folder(name);
+    if (entry.library && host_.renderer) host_.renderer->shaders().remove_folder(name);
     entry.library.reset();
     entry.state = ModuleState::available;
+    entry.problem.clear();
     std::erase(order_, name);
 }
 
@@ -132,16 +157,38 @@ std::vector<std::string> ModuleManager::reload_changed() {
     std::vector<std::string> reloaded;
     for (const fs::path& file : watch_.changed()) {
         const std::string name = file.stem().string();
-        if (file.extension() != ".so" || !loaded(name)) continue;
-        reload(name);
-        reloaded.push_back(name);
+        if (file.extension() == ".so" && file.parent_path() == folder_ && wanted(name) && reload(name))
+            reloaded.push_back(name);
     }
+    if (reloaded.empty()) return reloaded;
+    for (const ModuleReport& report : reports())
+        if (report.state == ModuleState::unresolved_dependency && load(report.name)) reloaded.push_back(report.name);
     return reloaded;
 }
 
 bool ModuleManager::loaded(std::string_view name) const {
     const auto entry = modules_.find(std::string(name));
     return entry != modules_.end() && entry->second.registration != nullptr;
+}
+
+/// In use, or asked for and broken so far.
+bool ModuleManager::wanted(const std::string& name) const {
+    const auto entry = modules_.find(name);
+    return entry != modules_.end() && entry->second.state != ModuleState::available;
+}
+
+/// What a loaded module names; nothing for others.
+std::vector<std::string> ModuleManager::dependencies(const std::string& name) const {
+    const auto entry = modules_.find(name);
+    if (entry == modules_.end() || !entry->second.library) return {};
+    return split(entry->second.library->info().depends);
+}
+
+/// Whether a loaded module depends on another, be it through others.
+bool ModuleManager::leads_to(const std::string& name, const std::string& other) const {
+    const std::vector<std::string> names = dependencies(name);
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& next) { return next == other || leads_to(next, other); });
 }
 
 std::vector<ModuleReport> ModuleManager::reports() const {
@@ -191,16 +238,11 @@ void ModuleManager::check_name(const std::string& name) const {
                                nearest_name(name, available())});
 }
 
-void ModuleManager::check_dependencies(const ModuleLibrary& library, ModuleState& state) {
+void ModuleManager::check_dependencies(const ModuleLibrary& library) {
     for (const std::string& needed : split(library.info().depends)) {
-        if (std::find(loading_.begin(), loading_.end(), needed) != loading_.end()) {
-            state = ModuleState::unresolved_dependency;
+        if (contains(loading_, needed) || leads_to(needed, library.info().name))
             throw Error("modules depend on each other in a circle through '" + needed + "'");
-        }
-        if (!load(needed)) {
-            state = ModuleState::unresolved_dependency;
-            throw Error("it needs the module '" + needed + "', which cannot be loaded");
-        }
+        if (!load(needed)) throw Error("it needs the module '" + needed + "', which cannot be loaded");
     }
 }
 

@@ -46,13 +46,15 @@ class ModuleManager {
     /// Loads the newest build of a loaded module in its place, with all that users authored. Returns false when the new
     /// one is broken: then the old one runs on and its report says why.
     bool reload(const std::string& name);
-    /// Unloads it and those that depend on it; their components are kept for a later load.
+    /// Unloads it and those that depend on it; their components are kept for a later load. One that is broken is no
+    /// longer asked for, and its problem forgotten.
     void unload(const std::string& name);
-    /// Reloads the modules whose file changed since they were loaded. Returns their names.
+    /// Reloads the modules whose file changed since they were loaded, and tries those again that were asked for and
+    /// could not be loaded. Returns the names of those that were.
     std::vector<std::string> reload_changed();
     [[nodiscard]] bool loaded(std::string_view name) const;
 
-    /// The loaded ones, in order of loading.
+    /// The loaded ones, in the order of their first loading.
     [[nodiscard]] const std::vector<std::string>& in_use() const { return order_; }
     /// All modules: those in the folder and those asked for.
     [[nodiscard]] std::vector<ModuleReport> reports() const;
@@ -69,14 +71,18 @@ class ModuleManager {
     };
     [[nodiscard]] std::filesystem::path file(const std::string& name) const;
     void check_name(const std::string& name) const;
-    void check_dependencies(const ModuleLibrary& library, ModuleState& state);
+    void check_dependencies(const ModuleLibrary& library);
     [[nodiscard]] std::unique_ptr<Registration> install(ModuleLibrary& library);
+    void go_back(const std::string& name, const Error& why);
+    [[nodiscard]] bool wanted(const std::string& name) const;
+    [[nodiscard]] std::vector<std::string> dependencies(const std::string& name) const;
+    [[nodiscard]] bool leads_to(const std::string& name, const std::string& other) const;
     bool fail(const std::string& name, ModuleState state, const std::exception& error);
 
     ModuleHost host_;
     std::filesystem::path folder_, sources_;
     std::map<std::string, Entry> modules_;
-    std::vector<std::string> order_;  // of loading: dependants come later
+    std::vector<std::string> order_;
     FileWatch watch_;
     std::vector<std::string> loading_;  // guards against circles
 };

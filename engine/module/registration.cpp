@@ -12,6 +12,8 @@ Registration::~Registration() {
         host_.renderer->remove_passes(leaving);
         host_.renderer->shaders().drop(owner_ + ".");
     }
+    passes_.clear();  // they and the functions of seams may look at settings until they are gone
+    seams_.clear();
     for (const std::string& name : settings_) host_.settings.remove(name);
     for (const std::string& name : components_) {
         const ComponentId id = host_.components.find(name);

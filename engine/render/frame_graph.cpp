@@ -102,9 +102,11 @@ FrameGraph::~FrameGraph() = default;
 void FrameGraph::set_passes(std::vector<Pass*> passes) {
     const bool lost = std::ranges::any_of(self_->built.passes,
                                           [&](Pass* old) { return std::ranges::find(passes, old) == passes.end(); });
-    if (lost) {  // a plan must not run a pass that may be gone; its textures stay for the next build
-        self_->built.nodes.clear();
-        self_->built.valid = false;
+    if (lost) {  // nothing of a pass that may be gone is kept, its functions neither; textures stay for the next build
+        Implementation::Built rest;
+        rest.textures = std::move(self_->built.textures);
+        rest.textures.forget_owned();
+        self_->built = std::move(rest);
     }
     self_->passes = std::move(passes);
     self_->dirty = true;

@@ -27,6 +27,9 @@ class GraphTextures {
     /// Before a frame's passes: history targets take turns. `drop` = last frame's content is void.
     void next_frame(bool drop);
 
+    /// Lets go of the textures that passes own.
+    void forget_owned() { owned_.clear(); }
+
     /// For drawings: equal numbers share a texture.
     [[nodiscard]] const std::vector<size_t>& numbers() const { return numbers_; }
     [[nodiscard]] size_t memory() const;

@@ -91,16 +91,18 @@ std::vector<std::string> SceneFile::modules() const {
     return names;
 }
 
-std::vector<Diagnostic> SceneFile::validate(const ComponentRegistry& registry, const Settings& settings) const {
-    return validate_scene(self_->document, registry, settings);
+std::vector<Diagnostic> SceneFile::validate(const ComponentRegistry& registry, const Settings& settings,
+                                            std::span<const std::string> loaded) const {
+    return validate_scene(self_->document, registry, settings, loaded);
 }
 
-void SceneFile::instantiate(World& world, Settings& settings, RenderOptions& options) {
+void SceneFile::instantiate(World& world, Settings& settings, RenderOptions& options,
+                            std::span<const std::string> loaded) {
     const JsonDocument& document = self_->document;
-    std::vector<Diagnostic> list = validate(world.registry(), settings);
+    std::vector<Diagnostic> list = validate(world.registry(), settings, loaded);
     if (!list.empty()) throw Error(std::move(list));
 
-    for (const std::string& module : missing_modules(document, world.registry(), settings))
+    for (const std::string& module : missing_modules(document, world.registry(), settings, loaded))
         log::warning("{}: module '{}' is not loaded; what belongs to it is kept but not used", document.file, module);
 
     read_render(document, settings, options);

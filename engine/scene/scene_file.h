@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,11 +45,15 @@ class SceneFile {
 
     /// Names from "modules".
     [[nodiscard]] std::vector<std::string> modules() const;
-    /// Checks everything against the registered descriptions; empty when it is right.
-    [[nodiscard]] std::vector<Diagnostic> validate(const ComponentRegistry& registry, const Settings& settings) const;
+    /// Checks everything against the registered descriptions; empty when it is right. What has no description may
+    /// belong to a module that is absent, if the text lists one: neither in `loaded` nor the owner of anything
+    /// registered.
+    [[nodiscard]] std::vector<Diagnostic> validate(const ComponentRegistry& registry, const Settings& settings,
+                                                   std::span<const std::string> loaded = {}) const;
     /// Makes the entities, settings (over the values they have) and options. Throws Error with all of `validate`'s
     /// problems and then changes nothing.
-    void instantiate(World& world, Settings& settings, RenderOptions& options);
+    void instantiate(World& world, Settings& settings, RenderOptions& options,
+                     std::span<const std::string> loaded = {});
     /// Gives the entities those components of the text whose type was not registered at `instantiate` and is now: after
     /// a module was loaded late.
     void adopt(World& world);

@@ -22,13 +22,14 @@ struct SceneFile::Implementation {
 /// The document of a text whose structure is right. Throws Error with all its problems.
 [[nodiscard]] JsonDocument parse_scene(std::string text, std::string file_name);
 
-/// Modules that "modules" lists and that have brought neither a component nor settings.
+/// Modules that "modules" lists, that are not among the `loaded` ones, and that have brought neither a component nor
+/// settings.
 [[nodiscard]] std::vector<std::string> missing_modules(const JsonDocument& document, const ComponentRegistry& registry,
-                                                       const Settings& settings);
+                                                       const Settings& settings, std::span<const std::string> loaded);
 
 /// Components and settings against their descriptions.
 [[nodiscard]] std::vector<Diagnostic> validate_scene(const JsonDocument& document, const ComponentRegistry& registry,
-                                                     const Settings& settings);
+                                                     const Settings& settings, std::span<const std::string> loaded);
 
 /// Reads the "render" object into settings and options.
 void read_render(const JsonDocument& document, Settings& settings, RenderOptions& options);

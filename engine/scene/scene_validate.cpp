@@ -29,11 +29,12 @@ void check_camera(const JsonDocument& document, Problems& problems) {
 
 class Validation {
  public:
-    Validation(const JsonDocument& document, const ComponentRegistry& registry, const Settings& settings)
+    Validation(const JsonDocument& document, const ComponentRegistry& registry, const Settings& settings,
+               std::span<const std::string> loaded)
         : document_(document),
           registry_(registry),
           settings_(settings),
-          missing_(missing_modules(document, registry, settings)),
+          missing_(missing_modules(document, registry, settings, loaded)),
           problems_(document, list_) {}
 
     std::vector<Diagnostic> run() {
@@ -97,14 +98,15 @@ class Validation {
 }  // namespace
 
 std::vector<std::string> missing_modules(const JsonDocument& document, const ComponentRegistry& registry,
-                                         const Settings& settings) {
+                                         const Settings& settings, std::span<const std::string> loaded) {
     std::vector<std::string> missing;
     const JsonMember* modules = document.root.find("modules");
     if (!modules) return missing;
     for (const JsonValue& module : modules->value.items) {
         const auto owns_component = [&](ComponentId id) { return registry.owner(id) == module.string; };
         const auto owns_settings = [&](const std::string& name) { return settings.owner(name) == module.string; };
-        if (std::ranges::none_of(registry.ids(), owns_component) &&
+        if (std::ranges::find(loaded, module.string) == loaded.end() &&
+            std::ranges::none_of(registry.ids(), owns_component) &&
             std::ranges::none_of(settings.names(), owns_settings))
             missing.push_back(module.string);
     }
@@ -112,8 +114,8 @@ std::vector<std::string> missing_modules(const JsonDocument& document, const Com
 }
 
 std::vector<Diagnostic> validate_scene(const JsonDocument& document, const ComponentRegistry& registry,
-                                       const Settings& settings) {
-    return Validation(document, registry, settings).run();
+                                       const Settings& settings, std::span<const std::string> loaded) {
+    return Validation(document, registry, settings, loaded).run();
 }
 
 void read_render(const JsonDocument& document, Settings& settings, RenderOptions& options) {

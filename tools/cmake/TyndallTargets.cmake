@@ -18,18 +18,26 @@ function(tyndall_floor NAME)
   set(TYNDALL_HEADER_STUBS ${stubs} CACHE INTERNAL "")
 endfunction()
 
+# tyndall_module_library(TARGET NAME FOLDER SOURCES ... [LINK ...])
+#
+# A hot-loadable module NAME as FOLDER/NAME.so. Hidden visibility and no unique symbols, so that dlclose really unloads it.
+function(tyndall_module_library TARGET NAME FOLDER)
+  cmake_parse_arguments(MODULE "" "" "SOURCES;LINK" ${ARGN})
+  add_library(${TARGET} MODULE ${MODULE_SOURCES})
+  set_target_properties(${TARGET} PROPERTIES
+    PREFIX "" OUTPUT_NAME ${NAME} LIBRARY_OUTPUT_DIRECTORY ${FOLDER}
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_include_directories(${TARGET} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  target_compile_definitions(${TARGET} PRIVATE TYNDALL_MODULE_NAME="${NAME}")
+  target_link_libraries(${TARGET} PRIVATE tyndall_options tyndall tyndall_abi ${MODULE_LINK})
+  target_precompile_headers(${TARGET} REUSE_FROM module_headers)
+endfunction()
+
 # tyndall_module(NAME SOURCES ... [LINK ...])
 #
-# A hot-loadable module: build/<preset>/modules/NAME.so. Hidden visibility and no unique symbols, so that dlclose really unloads it.
+# A module of the program: build/<preset>/modules/NAME.so.
 function(tyndall_module NAME)
-  cmake_parse_arguments(MODULE "" "" "SOURCES;LINK" ${ARGN})
-  add_library(module_${NAME} MODULE ${MODULE_SOURCES})
-  set_target_properties(module_${NAME} PROPERTIES
-    PREFIX "" OUTPUT_NAME ${NAME} LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/modules
-    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-  target_include_directories(module_${NAME} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-  target_compile_definitions(module_${NAME} PRIVATE TYNDALL_MODULE_NAME="${NAME}")
-  target_link_libraries(module_${NAME} PRIVATE tyndall_options tyndall tyndall_abi ${MODULE_LINK})
+  tyndall_module_library(module_${NAME} ${NAME} ${CMAKE_BINARY_DIR}/modules ${ARGN})
   add_dependencies(play module_${NAME})
 endfunction()
 

@@ -1,0 +1,5 @@
+// A library, but no module.
+
+extern "C" int something_else() {
+    return 1;
+}
