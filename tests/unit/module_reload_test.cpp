@@ -31,10 +31,13 @@ class ModuleReloadTest : public testing::Test {
         put(generation);
         ASSERT_TRUE(manager_->reload("memo"));
     }
+    /// Changes fields of the entity's component, which it gets when it has none.
     void set(const std::string& component, const Json& value) {
         const ComponentId id = stage_.registry.find(component);
         std::vector<Diagnostic> problems;
-        component_from_json(stage_.registry.type(id), stage_.world.add(entity_, id), value.dump(), problems);
+        void* there = stage_.world.find(entity_, id);
+        component_from_json(stage_.registry.type(id), there ? there : stage_.world.add(entity_, id), value.dump(),
+                            problems);
         ASSERT_TRUE(problems.empty()) << problems[0].text();
     }
     void set_setting(const Json& value) {
