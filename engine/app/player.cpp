@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ctime>
+#include <thread>
 
 #include "app/capture.h"
 #include "core/clock.h"
@@ -15,6 +17,9 @@
 
 namespace tyndall {
 namespace {
+
+/// Between frames: the compiler has the processors then, so that a change is seen sooner.
+constexpr std::chrono::milliseconds kRestWhileBuilding{150};
 
 platform::WindowDesc window_desc(const PlayerOptions& options) {
     return {.title = "Tyndall - " + options.scene.stem().string(),
@@ -55,6 +60,7 @@ void Player::frame(double seconds) {
     window_.poll();
     handle_actions();
     watch();
+    if (builder_ && builder_->building()) std::this_thread::sleep_for(kRestWhileBuilding);
     const glm::ivec2 pixels = window_.framebuffer_size();
     if (pixels.x <= 0 || pixels.y <= 0) return;
     move_camera(static_cast<float>(seconds));
