@@ -74,6 +74,10 @@ CapturedPicture take(Engine& engine, const Shot& shot) {
     engine.select_camera(shot.camera);
     engine.renderer().show(shot.target);
     engine.restart_clock();
+    if (engine.extract().cameras.empty())
+        throw Error(Diagnostic{{engine.scene_path().string()},
+                               "the scene has no camera",
+                               "an entity with a camera, or a glTF file with one"});
     const glm::ivec2 size = shot.size * shot.supersample;
     for (int i = 0; i < shot.frames; ++i) engine.frame(i == 0 ? 0.0 : shot.step_s, size);
     CapturedPicture picture;

@@ -24,7 +24,8 @@ struct Shot {
     std::string target;   ///< a frame-graph target shown in place of the picture
 };
 
-/// Renders the shot from a fresh clock and reads it back. Throws Error for an unknown camera or target.
+/// Renders the shot from a fresh clock and reads it back. Throws Error for an unknown camera or target,
+/// and for a scene without a camera.
 [[nodiscard]] CapturedPicture take(Engine& engine, const Shot& shot);
 
 /// Which files `write` makes.

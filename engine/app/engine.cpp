@@ -6,6 +6,7 @@
 
 #include "core/log.h"
 #include "core/paths.h"
+#include "render/image_settings.h"
 #include "scene/components.h"
 
 namespace tyndall {
@@ -20,7 +21,10 @@ std::pair<std::string, std::string> split_assignment(const std::string& text) {
 
 Engine::Engine(bool rendering, const fs::path& ocio) : color_(ocio), assets_(color_, paths::root() / "assets") {
     register_engine_components(registry_, extractors_);
-    if (rendering) renderer_ = std::make_unique<Renderer>(color_, settings_);
+    if (rendering)
+        renderer_ = std::make_unique<Renderer>(color_, settings_);
+    else
+        settings_.add<ImageSettings>();  // what a renderer would add, so that scenes can be checked and described
     modules_ =
         std::make_unique<ModuleManager>(ModuleHost{registry_, extractors_, settings_, {&world_}, renderer_.get()},
                                         paths::build() / "modules", paths::root() / "modules");
@@ -33,9 +37,25 @@ Engine::~Engine() {
     modules_.reset();  // before the renderer and the world, where modules have things
 }
 
+namespace {
+
+/// Errors name the pointer, also those that are about the value alone.
+void apply(const Assignments& changes, SceneFile& scene) {
+    for (const auto& [pointer, value] : changes) {
+        try {
+            scene.set(pointer, value);
+        } catch (Error& error) {
+            if (std::string_view(error.what()).find(pointer) == std::string_view::npos) error.within(pointer);
+            throw;
+        }
+    }
+}
+
+}  // namespace
+
 void Engine::load_scene(const fs::path& file, const Assignments& changes) {
     SceneFile next = SceneFile::load(file);
-    for (const auto& [pointer, value] : changes) next.set(pointer, value);
+    apply(changes, next);
     const std::vector<std::string> before = modules_->in_use();
     use_modules(next.modules());
     if (std::vector<Diagnostic> problems = next.validate(registry_, settings_, modules_->in_use()); !problems.empty()) {
@@ -78,6 +98,7 @@ void Engine::replace_world(SceneFile next, const fs::path& file) {
         watch_.add(file);
     }
     scene_path_ = file;
+    unmade_.clear();
     restart_clock();
     apply_options();
     extract();  // loads the assets now; what decoding them needed goes back before the GPU's copies are made
@@ -102,7 +123,7 @@ const RenderScene& Engine::extract() {
     scene_.frame = frame_;
     scene_.camera_cut = cut_;
     for (const std::string& problem : extractors_.extract(world_, assets_, options_.camera, scene_))
-        log::error("{}", problem);
+        log::error("{}", unmade_ = problem);
     return scene_;
 }
 

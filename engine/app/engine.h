@@ -64,6 +64,9 @@ class Engine {
     /// What is broken just now and runs on its last good state; empty when all is well.
     [[nodiscard]] std::string problems() const;
 
+    /// The last entity of this scene that could not be made, such as one whose file is missing; empty when all were.
+    [[nodiscard]] const std::string& unmade() const { return unmade_; }
+
     /// Entities with a camera, in the scene's order.
     [[nodiscard]] std::vector<std::string> cameras();
     /// Throws Error with the nearest name when no camera is called that. Empty = the scene's choice.
@@ -104,7 +107,7 @@ class Engine {
     Assignments changes_;
     RenderOptions options_;
     RenderScene scene_;
-    std::string scene_problem_, color_problem_;
+    std::string scene_problem_, color_problem_, unmade_;
     double time_s_ = 0.0;
     uint64_t frame_ = 0;
     bool cut_ = true;

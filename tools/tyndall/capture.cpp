@@ -59,6 +59,7 @@ class Run {
         engine_.load_scene(file, changes);
         std::vector<std::string> cameras{options_.scene.camera};
         if (options_.all_cameras) cameras = engine_.cameras();
+        plan(cameras.size());
         for (const std::string& camera : cameras) {
             Shot shot = shot_of(camera, {1280, 720}, 1);
             shot.target = options_.scene.view;
@@ -71,6 +72,7 @@ class Run {
         std::vector<std::string> cameras = file.cameras;
         if (!options_.scene.camera.empty()) cameras = {options_.scene.camera};
         if (cameras.empty()) cameras = {""};
+        plan(cameras.size() * file.variants.size());
         for (const std::string& camera : cameras) {
             const fs::path stem =
                 fs::path(options_.out) / (file.file.stem().string() + (camera.empty() ? "" : "-" + plain(camera)));
@@ -79,6 +81,12 @@ class Run {
                 pictures[variant.name] = variant_picture(file, variant, camera, stem);
             report(judge(file, pictures), stem);
         }
+    }
+
+    /// So many pictures follow.
+    void plan(size_t pictures) {
+        planned_ = pictures;
+        taken_ = 0;
     }
 
     CapturedPicture variant_picture(const CaptureFile& file, const CaptureVariant& variant, const std::string& camera,
@@ -105,10 +113,12 @@ class Run {
 
     CapturedPicture shoot(const Shot& shot, const Assignments& changes, const fs::path& stem) {
         CapturedPicture picture = take(engine_, shot);
-        if (const std::string problems = engine_.problems(); !problems.empty()) throw Error(problems);
+        if (!engine_.problems().empty() || !engine_.unmade().empty())  // which were logged
+            throw Error(
+                Diagnostic{{engine_.scene_path().string()}, "no picture is written, because of the errors above"});
         const PictureFiles kinds = options_.pictures();
         write(engine_, context_->gl_info(), shot, changes, picture, stem, kinds);
-        fmt::print("wrote {}.{}\n", stem.string(),
+        fmt::print("[{}/{}] wrote {}.{}\n", ++taken_, planned_, stem.string(),
                    kinds.png && kinds.exr ? "{png,exr,json}"
                    : kinds.png            ? "{png,json}"
                                           : "{exr,json}");
@@ -138,6 +148,7 @@ class Run {
     const CaptureOptions& options_;
     std::unique_ptr<platform::Context> context_;  // outlives the engine
     Engine engine_;
+    size_t planned_ = 0, taken_ = 0;  ///< pictures of the file at hand
     int judged_ = 0, failed_ = 0, skipped_ = 0;
 };
 
@@ -158,7 +169,12 @@ void add_capture(CLI::App& app, Command& command) {
     sub->add_flag("--png", options->png, "Only the display picture (and its .json)");
     sub->add_flag("--exr", options->exr, "Only the scene-linear picture (and its .json)");
     options->scene.add_to(*sub);
-    sub->footer("A file's expectations that fail make the exit code 1.");
+    sub->footer(
+        "Exit code 1: an expectation failed, or something of a scene could not be read.\n\n"
+        "  tyndall capture assets/chapel/chapel.json --all-cameras --size 1920x1080\n"
+        "  tyndall capture assets/scenes/still_life.json --path light_pre_pass --view light_diffuse\n"
+        "  tyndall capture scene.json --set /entities/Sun/directional_light/illuminance_lux=20000\n"
+        "  tyndall capture tests/captures/*.json\n");
     sub->callback([options, &command] { command = [options] { return Run(*options).all(); }; });
 }
 

@@ -88,6 +88,9 @@ void add_validate(CLI::App& app, Command& command) {
     auto files = std::make_shared<std::vector<std::string>>();
     CLI::App* sub = app.add_subcommand("validate", "Check scene files and print every problem");
     sub->add_option("files", *files, "Scene files")->required();
+    sub->footer(
+        "Problems come as FILE:LINE:COLUMN: /pointer: what is wrong (expected ...). Exit code 1: there are any.\n"
+        "Files that a scene names are not opened: 'tyndall capture' does that.");
     sub->callback([files, &command] { command = [files] { return validate(*files); }; });
 }
 

@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+"""Wrong input gives one clear message and exit code 1. usage: wrong_input.py PROGRAM"""
+import json
+import os
+
+from harness import ROOT, Tests
+
+SCENES = ROOT / "assets" / "scenes"
+GOOD = str(SCENES / "shadows.json")
+CONFIG = (ROOT / "config" / "color" / "tyndall.ocio").read_bytes()
+
+
+def scene(*entities, **top):
+    camera = {"name": "Camera", "camera": {}}
+    return json.dumps({"tyndall": 1, **top, "entities": [camera, *entities]}, indent=2)
+
+
+def mesh(file):
+    return {"name": "Thing", "mesh": {"file": file}}
+
+
+def textured(file):
+    return {"name": "Thing", "mesh": {"primitive": "box"}, "material": {"base_colour_texture": file}}
+
+
+def command_line(t):
+    small = ("--size", "32x18", "--out", t.folder / "out")
+    t.refused("missing scene", ["capture", "no/such.json"], "no/such.json")
+    t.refused("a folder", ["capture", SCENES], "scenes")
+    t.refused("missing scene, validate", ["validate", "no/such.json"], "no/such.json")
+    for size in ("640", "0x10", "10x", "x", "-3x4", "1e3x5", "99999x99999", "640x360x2"):
+        t.refused(f"size {size}", ["capture", GOOD, f"--size={size}"], f"'{size}'", "WIDTHxHEIGHT")
+    t.refused("camera", ["capture", GOOD, *small, "--camera", "Camra"], "'Camra'", "did you mean 'Camera'", "shadows.json")
+    t.refused("view", ["capture", GOOD, *small, "--view", "gbufer_normal"], "'gbufer_normal'", "did you mean 'gbuffer_normal'")
+    t.refused("path", ["capture", GOOD, *small, "--path", "defered"], "'defered'", "did you mean 'deferred'")
+    t.refused("set without value", ["capture", GOOD, "--set", "/render/path"], "/render/path", "expected")
+    t.refused("set without pointer", ["capture", GOOD, "--set", "render=1"], "render=1", "expected")
+    t.refused("set nowhere", ["capture", GOOD, *small, "--set", "/entities/Snu/directional_light/illuminance_lux=3"], "Snu", "did you mean 'Sun'")
+    t.refused("set beyond the list", ["capture", GOOD, *small, "--set", "/entities/99/camera/ev100=3"], "99")
+    t.refused("set to an unknown field", ["capture", GOOD, *small, "--set", "/entities/Sun/directional_light/lux=3"], "'lux'", "shadows.json")
+    t.refused("set out of range", ["capture", GOOD, *small, "--set", "/entities/Spot/spot_light/outer_angle_deg=95"], "95", "outer_angle_deg", "89.9")
+    t.refused("set to half a value", ["capture", GOOD, *small, "--set", "/entities/Sun/transform/translation=[1, 2"], "translation")
+    t.refused("out is a file", ["capture", GOOD, "--size", "32x18", "--out", t.file("taken", "")], "taken")
+    t.refused("missing OCIO", ["capture", GOOD, *small, "--ocio", "no/such.ocio"], "no/such.ocio")
+    t.refused("missing $OCIO", ["capture", GOOD, *small], "no/such.ocio", OCIO="no/such.ocio")
+
+
+def scene_files(t):
+    def wrong(name, text, *expected):
+        file = t.file(name.replace(" ", "_") + ".json", text)
+        t.refused(name + ", validate", ["validate", file], file.name, *expected)
+        t.refused(name + ", capture", ["capture", file, "--size", "32x18", "--out", t.folder / "out"], file.name, *expected)
+
+    whole = open(GOOD).read()
+    wrong("empty file", "")
+    wrong("truncated", whole[: len(whole) // 2], ":")
+    wrong("not JSON", "hello", ":1:")
+    wrong("binary", bytes(range(256)))
+    wrong("a list", "[]", "expected")
+    wrong("no version", '{ "entities": [] }', "tyndall")
+    wrong("later version", '{ "tyndall": 99, "entities": [] }', "/tyndall")
+    wrong("deep nesting", '{ "tyndall": 1, "entities": ' + "[" * 5000 + "]" * 5000 + " }")
+    wrong("unknown component", scene({"name": "A", "spotlight": {}}), "/entities/1/spotlight", "did you mean 'spot_light'")
+    wrong("unknown field", scene({"spot_light": {"intensity": 3}}), "/entities/1/spot_light/intensity", "intensity_cd")
+    wrong("unknown enum", scene({"mesh": {"primitive": "spere"}}), "/entities/1/mesh/primitive", "did you mean 'sphere'")
+    wrong("wrong kind", scene({"spot_light": {"intensity_cd": "much"}}), "/entities/1/spot_light/intensity_cd", "number")
+    wrong("out of range", scene({"material": {"roughness": 2}}), "/entities/1/material/roughness", "0 to 1")
+    wrong("unknown preset", scene({"material": {"preset": "gould"}}), "gould", "did you mean 'gold'")
+    wrong("unknown parent", scene({"parent": "Camra"}), "Camra", "did you mean 'Camera'")
+    wrong("unknown setting", scene(render={"imege": {}}), "/render/imege", "did you mean 'image'")
+
+
+def drawing(t):
+    """What only shows when the scene is drawn."""
+    def wrong(name, text, *expected):
+        file = t.file(name.replace(" ", "_") + ".json", text)
+        t.refused(name, ["capture", file, "--size", "32x18", "--out", t.folder / "out"], *expected)
+
+    wrong("no camera", '{ "tyndall": 1, "entities": [{ "name": "A" }] }', "camera", "no_camera.json")
+    wrong("unknown module", scene(modules=["participating_medium"]), "participating_medium", "did you mean 'participating_media'")
+    wrong("module outside", scene(modules=["../../x"]), "../../x")
+    wrong("unknown path", scene(render={"path": "forward"}), "forward", "deferred")
+    wrong("unknown OCIO view", scene(render={"view": "sRBG"}), "sRBG", "did you mean 'sRGB'")
+    wrong("unknown OCIO display", scene(render={"display": "sRBG"}), "sRBG", "did you mean 'sRGB'")
+    wrong("unknown scene camera", scene(render={"camera": "Camra"}), "Camra", "did you mean 'Camera'")
+    wrong("missing mesh", scene(mesh("no.obj")), "no.obj")
+    outside = t.file("outside.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    (t.folder / "inside").mkdir(exist_ok=True)
+    os.symlink(outside, t.folder / "inside" / "link.obj")
+    for label, name in (("dots", "../outside.obj"), ("absolute", str(outside)), ("system", "../../../../../../etc/passwd"), ("link", "link.obj")):
+        file = t.file(f"inside/{label}.json", scene(mesh(name)))
+        t.refused(f"traversal by {label}", ["capture", file, "--size", "32x18", "--out", t.folder / "out"], name)
+        file = t.file(f"inside/{label}_texture.json", scene(textured(name)))
+        t.refused(f"traversal by {label}, texture", ["capture", file, "--size", "32x18", "--out", t.folder / "out"], name)
+    broken = {
+        "half.png": (SCENES / "textures" / "tiles.png").read_bytes()[:300],
+        "no.png": b"\x89PNG\r\n\x1a\nnonsense",
+        "empty.png": b"",
+        "half.hdr": (SCENES / "textures" / "evening.hdr").read_bytes()[:200],
+        "no.exr": b"\x76\x2f\x31\x01nonsense",
+        "no.obj": b"v 0 0 0\nf 1 2 99\n",
+        "half.gltf": (SCENES / "sample.gltf").read_bytes()[:1500],
+        "no.glb": b"glTF\x02\0\0\0\xff\xff\xff\x7fnonsense",
+        "text.gltf": b"hello",
+    }
+    for name, content in broken.items():
+        t.file(name, content)
+        kind = name.split(".")[1]
+        entity = mesh(name) if kind == "obj" else {"gltf": {"file": name}} if kind in ("gltf", "glb") else textured(name)
+        wrong(f"broken {name}", scene(entity), name)
+        if kind in ("exr", "hdr"):
+            wrong(f"broken probe {name}", scene({"light_probe": {"file": name}}), name)
+
+
+def colour_configurations(t):
+    for i, config in enumerate((CONFIG[:200], CONFIG[: len(CONFIG) // 2], CONFIG.replace(b"scene_linear:", b"scene_linnear:"), b"", b"ocio_profile_version: 99\n",
+                                CONFIG.replace(b"!<ColorSpace>", b"!<ColourSpice>"), bytes(range(256)))):
+        file = t.file(f"wrong{i}.ocio", config)
+        t.refused(file.name, ["capture", GOOD, "--size", "32x18", "--out", t.folder / "out", "--ocio", file], file.name)
+
+
+def capture_files(t):
+    def wrong(name, content, *expected):
+        file = t.file(name.replace(" ", "_") + ".json", content)
+        t.refused(name, ["capture", file, "--out", t.folder / "out"], file.name, *expected)
+
+    good = {"tyndall_capture": 1, "scene": GOOD, "size": [32, 18], "variants": [{"name": "plain"}]}
+    wrong("capture without scene", json.dumps({"tyndall_capture": 1}), "/scene")
+    lost = t.file("lost.json", json.dumps({**good, "scene": "no.json"}))
+    t.refused("capture of a missing scene", ["capture", lost, "--out", t.folder / "out"], "no.json")
+    wrong("capture with an unknown key", json.dumps({**good, "expects": []}), "expects")
+    wrong("capture with an unknown variant", json.dumps({**good, "expect": [{"of": "plane"}]}), "/expect/0", "did you mean 'plain'")
+    wrong("capture cut short", json.dumps(good)[:40])
+    failing = t.file("failing.json", json.dumps({**good, "expect": [{"of": "plain", "mean_between": [5, 6]}]}))
+    done = t.run("capture", failing, "--out", t.folder / "out")
+    t.check(done is not None and done.returncode == 1 and "FAILED" in done.stdout, "a failed expectation ends with 1")
+
+
+with Tests() as t:
+    command_line(t)
+    scene_files(t)
+    drawing(t)
+    colour_configurations(t)
+    capture_files(t)
