@@ -2,6 +2,7 @@
 // OpenColorIO's types behind ColorConfig; included by the sources of this floor alone.
 
 #include <OpenColorIO/OpenColorIO.h>
+#include <algorithm>
 
 #include "color/color.h"
 #include "core/error.h"
@@ -22,7 +23,9 @@ struct ColorConfig::Implementation {
         } catch (const Error&) {
             throw;
         } catch (const std::exception& error) {
-            throw Error(Diagnostic{{file.string()}, std::string(step) + ": " + error.what(), {}, {}});
+            std::string reason = error.what();
+            std::replace(reason.begin(), reason.end(), '\n', ' ');  // a diagnostic is one line
+            throw Error(Diagnostic{{file.string()}, std::string(step) + ": " + reason, {}, {}});
         }
     }
 

@@ -10,7 +10,7 @@ with Tests() as t:
     for number, (label, environment) in enumerate(runs):
         for scene in SCENES:
             out = t.folder / str(number)
-            done = t.run("capture", scene, "--size", "160x90", "--frames", "3", "--out", out, limit_s=120, **environment)
+            done = t.run("capture", scene, "--size", "160x90", "--frames", "3", "--out", out, **environment)
             if done is None or done.returncode != 0:
                 t.check(False, f"{scene}, {label}: {done.stderr if done else 'did not end'}")
                 continue
