@@ -129,7 +129,7 @@ def capture_files(t):
     lost = t.file("lost.json", json.dumps({**good, "scene": "no.json"}))
     t.refused("capture of a missing scene", ["capture", lost, "--out", t.folder / "out"], "no.json")
     wrong("capture with an unknown key", json.dumps({**good, "expects": []}), "expects")
-    wrong("capture with an unknown variant", json.dumps({**good, "expect": [{"of": "plane"}]}), "/expect/0", "did you mean 'plain'")
+    wrong("capture with an unknown variant", json.dumps({**good, "expect": [{"of": "plan"}]}), "/expect/0", "did you mean 'plain'")
     wrong("capture cut short", json.dumps(good)[:40])
     failing = t.file("failing.json", json.dumps({**good, "expect": [{"of": "plain", "mean_between": [5, 6]}]}))
     done = t.run("capture", failing, "--out", t.folder / "out")
