@@ -87,11 +87,15 @@ void Engine::save_scene(const fs::path& file) {
 }
 
 void Engine::replace_world(SceneFile next, const fs::path& file) {
-    for (const Entity entity : world_.entities()) world_.destroy(entity);
+    // From the last to the first: freed places are taken again in the old order, so that a scene loads the same each
+    // time.
+    const std::vector<Entity> leaving = world_.entities();
+    for (auto entity = leaving.rbegin(); entity != leaving.rend(); ++entity) world_.destroy(*entity);
     settings_.reset();
     options_ = {};
     assets_.set_base(fs::absolute(file).parent_path());
     next.instantiate(world_, settings_, options_, modules_->in_use());
+    scene_camera_ = options_.camera;
     scene_file_ = std::move(next);
     if (scene_path_ != file) {
         watch_.remove(scene_path_);
@@ -200,7 +204,7 @@ void Engine::select_camera(const std::string& name) {
                                "no camera is called '" + name + "'",
                                "an entity with a camera",
                                nearest_name(name, known)});
-    options_.camera = name;
+    options_.camera = name.empty() ? scene_camera_ : name;
     cut_ = true;
 }
 

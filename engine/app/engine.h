@@ -106,6 +106,7 @@ class Engine {
     FileWatch watch_;
     Assignments changes_;
     RenderOptions options_;
+    std::string scene_camera_;  ///< the scene's own choice
     RenderScene scene_;
     std::string scene_problem_, color_problem_, unmade_;
     double time_s_ = 0.0;
