@@ -85,7 +85,7 @@ CaptureFile load_capture(const std::filesystem::path& file) {
     if (unknown.size() > 2) problems.push_back({{}, "unknown fields " + unknown, "the fields of docs/captures.md"});
     if (capture.variants.empty()) capture.variants.emplace_back();
     check_names(capture, problems);
-    if (capture.scene.empty()) problems.push_back({{{}, 0, 0, "/scene"}, "no scene is named"});
+    if (capture.scene.empty() && problems.empty()) problems.push_back({{{}, 0, 0, "/scene"}, "no scene is named"});
     for (Diagnostic& problem : problems) problem.where.file = file.string();
     if (!problems.empty()) throw Error(std::move(problems));
     capture.file = file;
