@@ -126,8 +126,10 @@ const RenderScene& Engine::extract() {
     scene_.time_s = time_s_;
     scene_.frame = frame_;
     scene_.camera_cut = cut_;
-    for (const std::string& problem : extractors_.extract(world_, assets_, options_.camera, scene_))
-        log::error("{}", unmade_ = problem);
+    for (const ExtractionProblem& problem : extractors_.extract(world_, assets_, options_.camera, scene_)) {
+        unmade_ = Diagnostic{scene_file_.location(problem.entity, problem.component), problem.text}.text();
+        log::error("{}", unmade_);
+    }
     return scene_;
 }
 

@@ -58,13 +58,14 @@ struct Extractors::Implementation {
 
     std::vector<Entry> entries;
     std::map<Place, std::string> failures;  ///< the last message of each, so that it is reported once
-    std::vector<std::string> fresh;
+    std::vector<ExtractionProblem> fresh;
 
     void report(const Place& place, const std::string& message) {
         std::string& last = failures[place];
         if (last == message) return;
         last = message;
-        fresh.push_back(message);
+        const auto& [component, index, generation] = place;
+        fresh.push_back({{index, generation}, component, message});
     }
     void recovered(const Place& place) { failures.erase(place); }
 
@@ -108,7 +109,7 @@ struct Extractors::Implementation {
     }
 
     void choose_camera(const World& world, std::string_view wanted, RenderScene& scene) {
-        const Place place{"camera choice", 0, 0};
+        const Place place{"camera choice", Entity{}.index, Entity{}.generation};
         if (scene.cameras.empty() && wanted.empty()) return;
         std::vector<std::string> names;
         for (const Camera& camera : scene.cameras) names.push_back(world.name(camera.entity));
@@ -139,8 +140,8 @@ void Extractors::remove(std::string_view component) {
     std::erase_if(self_->failures, [&](const auto& failure) { return std::get<0>(failure.first) == component; });
 }
 
-std::vector<std::string> Extractors::extract(World& world, AssetStore& assets, std::string_view camera,
-                                             RenderScene& scene) {
+std::vector<ExtractionProblem> Extractors::extract(World& world, AssetStore& assets, std::string_view camera,
+                                                   RenderScene& scene) {
     update_world_matrices(world);
     scene.clear();
     self_->fresh.clear();

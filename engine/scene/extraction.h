@@ -23,6 +23,13 @@ struct ExtractContext {
 /// error logged once per component and version.
 using Extractor = std::function<void(const ExtractContext&, const void* component, RenderScene&)>;
 
+/// Why something of the world is not in the RenderScene.
+struct ExtractionProblem {
+    Entity entity;          ///< null for the choice of the camera
+    std::string component;  ///< that could not be extracted
+    std::string text;       ///< for people; names the entity
+};
+
 /// All extractors of a program.
 class Extractors {
  public:
@@ -32,9 +39,10 @@ class Extractors {
     void remove(std::string_view component);
 
     /// Rebuilds `scene` from the world: updates world matrices, runs the extractors, sorts probes, picks the camera
-    /// (`camera` names its entity; empty = first). Returns the errors of this frame's failed extractions that were not
-    /// reported before.
-    std::vector<std::string> extract(World& world, AssetStore& assets, std::string_view camera, RenderScene& scene);
+    /// (`camera` names its entity; empty = first). Returns this frame's failed extractions that were not reported
+    /// before.
+    std::vector<ExtractionProblem> extract(World& world, AssetStore& assets, std::string_view camera,
+                                           RenderScene& scene);
 
  private:
     struct Implementation;

@@ -45,7 +45,10 @@ class Extraction : public TemporaryFolder {
         scene.instantiate(world_, settings_, options_);
     }
     std::vector<std::string> extract(std::string_view camera = {}) {
-        return extractors_.extract(world_, *assets_, camera, scene_);
+        std::vector<std::string> texts;
+        for (const ExtractionProblem& problem : extractors_.extract(world_, *assets_, camera, scene_))
+            texts.push_back(problem.text);
+        return texts;
     }
 
     ColorConfig config_{paths::root() / "config" / "color" / "tyndall.ocio"};
