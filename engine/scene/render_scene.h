@@ -21,6 +21,7 @@
 #include "ecs/world.h"
 #include "geometry/mesh.h"
 #include "image/image.h"
+#include "scene/scattering.h"
 
 namespace tyndall {
 
@@ -82,12 +83,17 @@ struct Material {
     TextureSlot specular_texture, specular_colour_texture, transmission_texture, thickness_texture;
 };
 
-/// What is inside a translucent object.
+/// What is inside a closed mesh, behind a dielectric boundary. A surface that has one is that boundary: its material's
+/// base is not drawn by solvers that know interiors. Coefficients are of the world's metres.
 struct ScatteringInterior {
     glm::vec3 sigma_s_per_m{0.0f};
     glm::vec3 sigma_a_per_m{0.0f};
-    float g = 0.0f;
-    float eta = 1.3f;
+    glm::vec3 emission_cd_m2_per_m{0.0f};  ///< radiance given off per metre
+    PhaseFunction phase;
+    DensityField density;    ///< multiplies the three above
+    float eta = 1.3f;        ///< index of refraction; 1 = index-matched: light passes the boundary unbent
+    float roughness = 0.0f;  ///< of the boundary, perceptual; 0 = smooth
+    int priority = 0;        ///< where interiors overlap, the highest is there and the others are not
 };
 
 /// A mesh placed in the world.
@@ -132,30 +138,19 @@ struct Light {
     Entity entity;
 };
 
-/// Values and parameters are those of PHASE_... in physics/phase.glsl.
-enum class PhaseKind : int32_t {
-    isotropic,
-    rayleigh,
-    henyey_greenstein,
-    schlick,
-    cornette_shanks,
-    two_lobe,
-    draine,
-    mie_droplets
-};
-
 /// `whole_scene` is the bounding box of all surfaces, lights with a place, and the camera: fog without an end would let
 /// no sunlight in.
 enum class MediumShape : uint32_t { whole_scene, box };
 
-/// A homogeneous participating medium. Overlapping media add.
+/// A participating medium in the air: overlapping media add, and there is none of it inside a ScatteringInterior.
 struct Medium {
     MediumShape shape = MediumShape::box;
     glm::mat4 transform{1.0f};  ///< box: the unit box [-1/2, 1/2]^3 to the world
     glm::vec3 sigma_s_per_m{0.0f};
     glm::vec3 sigma_a_per_m{0.0f};
-    PhaseKind phase = PhaseKind::isotropic;
-    glm::vec4 phase_parameters{0.0f};
+    glm::vec3 emission_cd_m2_per_m{0.0f};  ///< radiance given off per metre
+    PhaseFunction phase;
+    DensityField density;  ///< multiplies the three coefficients
     Entity entity;
 };
 
@@ -202,5 +197,8 @@ struct RenderScene {
     /// Forgets what extraction makes and keeps the lists' memory; time, frame and cut stay.
     void clear();
 };
+
+/// Placement of a medium's unit box [-1/2, 1/2]^3 in the world; the whole scene's bounds for MediumShape::whole_scene.
+[[nodiscard]] glm::mat4 medium_box(const Medium& medium, const RenderScene& scene);
 
 }  // namespace tyndall

@@ -66,7 +66,7 @@ void MarchPass::draw_light(PassContext& context, size_t light, int medium) {
     const ScreenRectangle rectangle = light_rectangle(frame.scene.lights[light], frame.block.view_projection, size);
     if (rectangle.empty()) return;
     const gpu::Program& program =
-        programs(media_->media()[static_cast<size_t>(medium)].phase).use(frame, light, [&](const gpu::Program& fresh) {
+        programs(media_->media()[static_cast<size_t>(medium)].phase.kind).use(frame, light, [&](const gpu::Program& fresh) {
             bind_common(fresh, context);
             frame.seams.bind(Seam::light_transmittance, fresh, context);
             media_->bind(fresh);

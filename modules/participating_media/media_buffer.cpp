@@ -19,38 +19,22 @@ struct GpuMedium {
 };
 static_assert(sizeof(GpuMedium) == 112);
 
-Bounds scene_bounds(const RenderScene& scene) {
-    Bounds bounds;
-    for (const Surface& surface : scene.surfaces) bounds.merge(surface.bounds);
-    for (const Light& light : scene.lights)
-        if (light.kind != LightKind::directional) bounds.add(glm::vec3(light.transform[3]));
-    bounds.add(glm::vec3(scene.camera.transform[3]));
-    return bounds;
-}
-
 }  // namespace
-
-glm::mat4 box_to_world(const Medium& medium, const RenderScene& scene) {
-    if (medium.shape == MediumShape::box) return medium.transform;
-    const Bounds bounds = scene_bounds(scene);
-    const glm::vec3 size = glm::max(bounds.high - bounds.low, glm::vec3(1e-3f));
-    return glm::scale(glm::translate(glm::mat4(1.0f), 0.5f * (bounds.low + bounds.high)), size);
-}
 
 const std::vector<Medium>& MediaBuffer::update(const RenderScene& scene, bool enabled) {
     std::array<GpuMedium, kMaximumMedia> records;
     media_.clear();
     for (const Medium& medium : scene.media) {
-        const glm::mat4 box = box_to_world(medium, scene);
+        const glm::mat4 box = medium_box(medium, scene);
         if (!enabled || glm::determinant(glm::mat3(box)) == 0.0f) continue;
         if (media_.size() == kMaximumMedia) {
             if (!warned_) log::warning("more than {} media: the rest is left out", kMaximumMedia);
             warned_ = true;
             break;
         }
-        records[media_.size()] = {glm::inverse(box), glm::vec4(medium.sigma_s_per_m, static_cast<float>(medium.phase)),
+        records[media_.size()] = {glm::inverse(box), glm::vec4(medium.sigma_s_per_m, static_cast<float>(medium.phase.kind)),
                                   glm::vec4(medium.sigma_s_per_m + medium.sigma_a_per_m, 0.0f),
-                                  medium.phase_parameters};
+                                  medium.phase.parameters};
         media_.push_back(medium);
     }
     const std::string_view bytes(reinterpret_cast<const char*>(records.data()), media_.size() * sizeof(GpuMedium));

@@ -29,7 +29,4 @@ class MediaBuffer {
     bool warned_ = false;
 };
 
-/// Placement of a medium's unit box in the world; the whole scene's bounds for MediumShape::whole_scene.
-[[nodiscard]] glm::mat4 box_to_world(const Medium& medium, const RenderScene& scene);
-
 }  // namespace tyndall::participating_media

@@ -15,8 +15,7 @@ template <class... F>
 Overloaded(F...) -> Overloaded<F...>;
 
 void set_phase(Medium& medium, PhaseKind kind, const glm::vec4& parameters) {
-    medium.phase = kind;
-    medium.phase_parameters = parameters;
+    medium.phase = {.kind = kind, .parameters = parameters, .table = nullptr};
 }
 
 }  // namespace
