@@ -5,6 +5,7 @@
 #include "physics/ggx.glsl"
 #include "physics/intersect.glsl"
 #include "physics/light_profile.glsl"
+#include "physics/noise.glsl"
 #include "physics/phase.glsl"
 #include "physics/phase_sampling.glsl"
 #include "physics/sampling.glsl"

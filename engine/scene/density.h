@@ -23,9 +23,31 @@ class DensityEvaluator {
     [[nodiscard]] float upper_bound(const Bounds& local) const;
 
  private:
+    struct MaximaOfBlocks;
+    /// A blob as the loop over them wants it.
+    struct PreparedBlob {
+        glm::vec3 centre;
+        float exponent;  ///< times the squared distance
+        float weight;
+    };
+
+    [[nodiscard]] float blobs_at(const glm::vec3& local) const;
+    [[nodiscard]] float grid_at(const glm::vec3& local) const;
+    [[nodiscard]] float blobs_bound(const Bounds& local) const;
+    [[nodiscard]] float noise_bound(const Bounds& local) const;
+    [[nodiscard]] float grid_bound(const Bounds& local) const;
+    void prepare_height(const HeightDensity& height, const glm::mat4& local_to_world);
+    void prepare_blobs(const BlobDensity& density);
+    void prepare_noise(const NoiseDensity& noise, const glm::mat4& local_to_world, double time_s);
+    void prepare_grid(const GridDensity& grid);
+
     DensityField field_;
-    glm::mat4 local_to_world_;
-    double time_s_;
+    // Height: the exponent is linear in the local place.
+    glm::dvec3 exponent_slope_{0.0};
+    double exponent_ = 0.0;
+    std::vector<PreparedBlob> blobs_;
+    glm::mat4 map_{1.0f};  ///< from local to features of the noise, or to voxels (centres at whole numbers) of the grid
+    std::shared_ptr<const MaximaOfBlocks> maxima_;
 };
 
 }  // namespace tyndall
