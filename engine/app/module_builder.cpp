@@ -1,8 +1,5 @@
 #include "app/module_builder.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <iterator>
@@ -11,8 +8,6 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "core/paths.h"
-
-extern char** environ;
 
 namespace tyndall {
 namespace fs = std::filesystem;
@@ -42,7 +37,7 @@ ModuleBuilder::ModuleBuilder(fs::path build, fs::path sources)
 }
 
 ModuleBuilder::~ModuleBuilder() {
-    if (building()) waitpid(process_, nullptr, 0);
+    process_.reset();
     std::error_code ignored;
     fs::remove(log_, ignored);
 }
@@ -65,29 +60,21 @@ std::string ModuleBuilder::problems() const {
 
 void ModuleBuilder::start(const std::string& module) {
     log::info("building module {}", module);
-    const std::string target = "module_" + module, build = build_.string();
-    const char* arguments[] = {"cmake", "--build", build.c_str(), "--target", target.c_str(), nullptr};
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    pid_t process = 0;
-    const int failed = posix_spawnp(&process, "cmake", &actions, nullptr, const_cast<char**>(arguments), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failed != 0) {
-        problems_[module] = "cmake could not be started\n";
-        return;
-    }
-    process_ = process;
     module_ = module;
+    try {
+        process_.emplace(std::vector<std::string>{"cmake", "--build", build_.string(), "--target", "module_" + module},
+                         log_);
+    } catch (const Error& error) {
+        problems_[module] = std::string(error.what()) + "\n";
+    }
 }
 
 void ModuleBuilder::finish() {
-    int status = 0;
-    if (waitpid(process_, &status, WNOHANG) != process_) return;
-    process_ = 0;
+    const std::optional<ProcessEnd> end = process_->poll();
+    if (!end) return;
+    process_.reset();
     problems_.erase(module_);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+    if (end->well()) return;
     try {
         problems_[module_] = errors_of(paths::read_file(log_));
     } catch (const Error& error) {

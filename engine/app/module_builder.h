@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
 #include "core/file_watch.h"
+#include "core/process.h"
 
 namespace tyndall {
 
@@ -22,7 +24,7 @@ class ModuleBuilder {
 
     /// Starts builds that are due and takes the results of finished ones. Cheap; call it every frame.
     void update();
-    [[nodiscard]] bool building() const { return process_ > 0; }
+    [[nodiscard]] bool building() const { return process_.has_value(); }
     /// What the compiler said of modules whose last build failed; empty when all is well.
     [[nodiscard]] std::string problems() const;
 
@@ -35,7 +37,7 @@ class ModuleBuilder {
     std::set<std::string> due_;  ///< modules whose sources were saved
     std::map<std::string, std::string> problems_;
     std::string module_;  ///< under way
-    int process_ = 0;
+    std::optional<Process> process_;
 };
 
 }  // namespace tyndall
