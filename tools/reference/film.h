@@ -12,9 +12,13 @@
 #include <string>
 #include <vector>
 
+#include "core/function_ref.h"
 #include "image/image.h"
 
 namespace tyndall::reference {
+
+/// Parts of the radiance: seen emission, light that a surface scattered once, that a medium scattered once, the rest.
+enum class Component { emission, surface, medium, multiple };
 
 /// A 128-bit sum.
 __extension__ using WideSum = __int128;
@@ -29,6 +33,8 @@ class Film {
 
     [[nodiscard]] glm::ivec2 size() const { return size_; }
     [[nodiscard]] const std::string& recipe() const { return recipe_; }
+    /// Samples of a batch.
+    [[nodiscard]] int batch() const { return batch_; }
     /// Batches that every pixel has.
     [[nodiscard]] int64_t batches() const { return static_cast<int64_t>(done_.size()); }
     [[nodiscard]] int64_t samples() const { return batches() * batch_; }
@@ -38,8 +44,8 @@ class Film {
     /// One pixel's means over a batch.
     struct PixelBatch {
         glm::vec3 radiance{0.0f};
-        glm::vec3 albedo{0.0f};  ///< of what is first seen, 0..1
-        glm::vec3 normal{0.0f};  ///< in the world
+        glm::vec3 albedo{0.0f};                                 ///< of what is first seen, 0..1
+        glm::vec3 normal{0.0f};                                 ///< in the world
         glm::vec3 emission{0.0f}, surface{0.0f}, medium{0.0f};  ///< components; the rest of the radiance is multiple
     };
     /// For each pixel, then once `finish_batch`.
@@ -54,12 +60,14 @@ class Film {
     [[nodiscard]] Image variance() const;
     [[nodiscard]] Image albedo() const;
     [[nodiscard]] Image normal() const;
+    /// Only when has_components().
+    [[nodiscard]] Image component(Component which) const;
     /// Root of the mean variance over the mean, of luminance.
     [[nodiscard]] double noise() const;
 
     /// Writes an EXR: R G B, variance.RGB, samples, albedo.RGB, normal.XYZ, components, and the sums as integer
-    /// channels `sum.*`, from which the film is read back exactly. Throws Error (disk full, no such folder); a file that
-    /// was there stays whole then.
+    /// channels `sum.*`, from which the film is read back exactly. Throws Error (disk full, no such folder); a file
+    /// that was there stays whole then.
     void save(const std::filesystem::path& file) const;
     /// Throws Error for a file that is not such a film, is damaged, or has no sums.
     [[nodiscard]] static Film load(const std::filesystem::path& file);
@@ -72,6 +80,10 @@ class Film {
     struct Components {
         WideSum emission[3] = {}, surface[3] = {}, medium[3] = {};
     };
+    [[nodiscard]] Image mean_of(FunctionRef<double(size_t pixel, int channel)> sum) const;
+    [[nodiscard]] double variance_at(size_t pixel, int channel) const;
+
+    [[nodiscard]] uint64_t sum_checksum() const;
     glm::ivec2 size_{0};
     int batch_ = 1;
     float unit_ = 1.0f;

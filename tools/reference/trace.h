@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <memory>
+#include <string>
 
 #include "core/function_ref.h"
 #include "reference/film.h"
@@ -25,14 +27,8 @@ struct TraceSettings {
     int max_order = std::numeric_limits<int>::max();  ///< 1 = single scattering: what the real-time passes approximate
     bool surfaces_scatter = true;                     ///< off: surfaces are black, for the medium's light alone
     bool media_scatter = true;                        ///< off: media only absorb and emit
-    float clamp = 0.0f;  ///< largest luminance of one sample in units of the exposure's white; 0 = unbiased
+    float clamp = 0.0f;       ///< largest luminance of one sample in units of the exposure's white; 0 = unbiased
     bool components = false;  ///< also films emission, surface, medium and multiple, which add up to the radiance
-};
-
-/// What is left to do, told now and then while tracing.
-struct TraceProgress {
-    int64_t samples_done = 0;  ///< per pixel, of this film
-    double noise = 0;          ///< relative: root mean variance of the mean over the mean, luminance
 };
 
 /// Traces batches of samples of one picture.
@@ -44,14 +40,16 @@ class Tracer {
     Tracer(Tracer&&) noexcept;
     Tracer& operator=(Tracer&&) noexcept;
 
-    /// A film of these settings without samples.
-    [[nodiscard]] Film film() const;
+    /// A film of these settings without samples. `recipe` tells films of other scenes and settings from it.
+    [[nodiscard]] Film film(std::string recipe) const;
     /// Adds batch number `batch` of every pixel, over all cores. Returns false when `cancelled` said so: the film is
     /// then as it was before.
     bool add_batch(Film& film, int64_t batch, FunctionRef<bool()> cancelled) const;
-    /// Rays cast and scattering events since construction.
+    /// Rays cast, and meetings with surfaces and media, since construction.
     [[nodiscard]] uint64_t rays() const;
     [[nodiscard]] uint64_t events() const;
+    /// Radiance (cd/m2) that the camera's exposure makes white, to the nearest power of two.
+    [[nodiscard]] float unit() const;
 
  private:
     struct Implementation;

@@ -18,6 +18,8 @@ using Command = std::function<int()>;
 void add_play(CLI::App& app, Command& command);
 void add_capture(CLI::App& app, Command& command);
 void add_bench(CLI::App& app, Command& command);
+void add_trace(CLI::App& app, Command& command);
+void add_merge(CLI::App& app, Command& command);
 void add_schema(CLI::App& app, Command& command);
 void add_validate(CLI::App& app, Command& command);
 void add_modules(CLI::App& app, Command& command);
@@ -32,6 +34,8 @@ struct SceneOptions {
     std::string ocio, path, camera, view;
 
     void add_to(CLI::App& command);
+    /// Without what only rendering has: render path and targets.
+    void add_scene_to(CLI::App& command);
     /// `set` and `path` as changes of the scene file.
     [[nodiscard]] Assignments changes() const;
 };

@@ -18,18 +18,22 @@ glm::ivec2 parse_size(const std::string& text) {
     throw Error("'" + text + "' is no size (expected WIDTHxHEIGHT, each 1 to 16384, such as 1280x720)");
 }
 
-void SceneOptions::add_to(CLI::App& command) {
+void SceneOptions::add_scene_to(CLI::App& command) {
     command
         .add_option("--set", set,
                     "Change the scene before it is loaded: /json/pointer=value; /entities/NAME/... names an entity")
         ->type_name("/POINTER=VALUE")
         ->allow_extra_args(false);
     command.add_option("--camera", camera, "Entity with a camera to look through");
+    command.add_option("--ocio", ocio, "OpenColorIO configuration; otherwise $OCIO or config/color/tyndall.ocio");
+}
+
+void SceneOptions::add_to(CLI::App& command) {
+    add_scene_to(command);
     command.add_option("--path", path, "Render path: deferred or light_pre_pass");
     command.add_option(
         "--view", view,
         "Show a target of the frame in place of the picture (scene_depth, gbuffer_normal, light_diffuse, ...)");
-    command.add_option("--ocio", ocio, "OpenColorIO configuration; otherwise $OCIO or config/color/tyndall.ocio");
 }
 
 Assignments SceneOptions::changes() const {

@@ -1,0 +1,79 @@
+#pragma once
+/// A RenderScene made ready for tracing, and the questions that paths ask of it.
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "reference/geometry.h"
+#include "reference/lights.h"
+#include "reference/media.h"
+#include "reference/standard_bsdf.h"
+
+namespace tyndall::reference {
+
+/// The closed surfaces with an interior that hold a point, by nested dielectrics' rules (Schmidt & Budge, "Simple
+/// Nested Dielectrics in Ray Traced Images", 2002): the one with the highest priority is there, the first of equals.
+class Nesting {
+ public:
+    static constexpr uint32_t kNone = ~0u;
+
+    void enter(uint32_t surface) {
+        if (count_ < inside_.size()) inside_[count_++] = surface;
+    }
+    void leave(uint32_t surface);
+    [[nodiscard]] bool empty() const { return count_ == 0; }
+    /// The surface whose interior is there, or kNone for air.
+    [[nodiscard]] uint32_t current(const std::vector<Surface>& surfaces) const;
+
+ private:
+    std::array<uint32_t, 8> inside_{};
+    size_t count_ = 0;
+};
+
+/// What a boundary does to a ray that meets it.
+struct Crossing {
+    float eta = 1.0f;     ///< index beyond over index here; 1 = it goes straight on
+    bool hidden = false;  ///< the boundary is inside something of higher priority: it is not there
+    Nesting beyond;
+};
+
+/// See the file's head.
+class TracedWorld {
+ public:
+    /// Copies what it needs; keeps the scene's meshes and textures alive. Throws Error for more media than it can hold.
+    explicit TracedWorld(const RenderScene& scene);
+
+    [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
+    [[nodiscard]] const Geometry& geometry() const { return geometry_; }
+    [[nodiscard]] const Lights& lights() const { return lights_; }
+    [[nodiscard]] const GgxAlbedo* albedo() const { return albedo_.get(); }
+    [[nodiscard]] const Camera& camera() const { return camera_; }
+    [[nodiscard]] const Nesting& camera_nesting() const { return camera_nesting_; }
+
+    /// The media between the ray's start and `end`, where `nesting` holds the start and no boundary is met before.
+    [[nodiscard]] MediaRay media(const Ray& ray, float end, const Nesting& nesting) const;
+    [[nodiscard]] Crossing cross(const SurfacePoint& point, uint32_t surface, const glm::vec3& direction,
+                                 const Nesting& nesting) const;
+    /// Estimate of what share of light comes through from `distance_m` along the ray; 0 when something blocks it.
+    /// `sized`: the light has a size, so that what casts no shadow still hides it from paths.
+    [[nodiscard]] glm::vec3 visibility(const SurfacePoint* leaving, Ray ray, float distance_m, Nesting nesting,
+                                       bool sized, Sampler& sampler) const;
+
+ private:
+    [[nodiscard]] Nesting nesting_at(const glm::vec3& point) const;
+
+    std::vector<Surface> surfaces_;
+    std::vector<RayMask> masks_;
+    Camera camera_;
+    Geometry geometry_;
+    Lights lights_;
+    std::unique_ptr<GgxAlbedo> albedo_;
+    std::vector<std::unique_ptr<MediumVolume>> air_;
+    std::vector<std::unique_ptr<MediumVolume>> interiors_;  ///< by surface; null = clear or none
+    bool passing_ = false, shadowless_ = false;
+    Nesting camera_nesting_;
+};
+
+}  // namespace tyndall::reference
