@@ -34,6 +34,7 @@ Geometry::Geometry(const std::vector<Surface>& surfaces, const std::vector<RayMa
     if (!device_) no_memory();
     scene_ = rtcNewScene(device_);
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
     placed_.resize(surfaces.size());
     for (size_t i = 0; i < surfaces.size(); ++i) {
         const Mesh& mesh = surfaces[i].mesh->mesh;
@@ -100,6 +101,16 @@ float Geometry::area(uint32_t surface, uint32_t triangle) const {
     glm::vec3 p[3];
     corners(surface, triangle, p);
     return 0.5f * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
+}
+
+SurfacePoint Geometry::flat_point(const Hit& hit) const {
+    glm::vec3 p[3];
+    corners(hit.surface, hit.triangle, p);
+    SurfacePoint point;
+    point.position =
+        p[0] * (1.0f - hit.barycentric.x - hit.barycentric.y) + p[1] * hit.barycentric.x + p[2] * hit.barycentric.y;
+    point.geometric_normal = glm::normalize(placed_[hit.surface].side * glm::cross(p[1] - p[0], p[2] - p[0]));
+    return point;
 }
 
 SurfacePoint Geometry::point(const Hit& hit) const {

@@ -57,6 +57,8 @@ class Geometry {
     [[nodiscard]] bool intersect(const Ray& ray, RayMask mask, Hit& hit) const;
     [[nodiscard]] bool occluded(const Ray& ray, RayMask mask) const;
     [[nodiscard]] SurfacePoint point(const Hit& hit) const;
+    /// Position and geometric normal alone, for boundaries that are only passed.
+    [[nodiscard]] SurfacePoint flat_point(const Hit& hit) const;
     /// Area in m2 and the corners of a triangle in the world.
     [[nodiscard]] float area(uint32_t surface, uint32_t triangle) const;
     [[nodiscard]] SurfacePoint point_on(uint32_t surface, uint32_t triangle, glm::vec2 barycentric) const;

@@ -116,61 +116,76 @@ void MediaRay::extent(float& t0, float& t1) const {
     }
 }
 
+void MediaRay::enter(const Span& span, float t, Steps& steps) {
+    const vec3 start = span.origin + span.direction * t;
+    constexpr int kStride[3] = {1, MediumVolume::kCells, MediumVolume::kCells * MediumVolume::kCells};
+    steps.at = 0;
+    for (int a = 0; a < 3; ++a) {
+        const int index = std::clamp(static_cast<int>(start[a]), 0, MediumVolume::kCells - 1);
+        const float d = span.direction[a];
+        steps.at += index * kStride[a];
+        steps.stride[a] = d > 0.0f ? kStride[a] : -kStride[a];
+        steps.left[a] = d > 0.0f ? MediumVolume::kCells - 1 - index : index;
+        steps.delta[a] = d != 0.0f ? 1.0f / std::abs(d) : std::numeric_limits<float>::infinity();
+        const float face = static_cast<float>(d > 0.0f ? index + 1 : index);
+        steps.next[a] = d != 0.0f ? std::max((face - span.origin[a]) / d, t) : std::numeric_limits<float>::infinity();
+    }
+    steps.cell = span.medium->cells_[static_cast<size_t>(steps.at)];
+    steps.until = std::min(std::min(steps.next[0], steps.next[1]), std::min(steps.next[2], span.t1));
+}
+
+void MediaRay::advance(const Span& span, float t, Steps& steps) {
+    if (t < span.t0 || t >= span.t1) {
+        steps.cell = {};
+        steps.until = t < span.t0 ? span.t0 : std::numeric_limits<float>::infinity();
+        return;
+    }
+    if (span.medium->homogeneous()) {
+        steps.cell = {1.0f, 1.0f};
+        steps.until = span.t1;
+        return;
+    }
+    if (steps.at < 0) return enter(span, t, steps);
+    const int axis = steps.next[0] <= steps.next[1] ? (steps.next[0] <= steps.next[2] ? 0 : 2)
+                                                    : (steps.next[1] <= steps.next[2] ? 1 : 2);
+    steps.next[axis] += steps.delta[axis];
+    if (steps.left[axis]-- > 0) steps.at += steps.stride[axis];  // at the grid's end rounding may ask for one more
+    steps.cell = span.medium->cells_[static_cast<size_t>(steps.at)];
+    steps.until = std::min(std::min(steps.next[0], steps.next[1]), std::min(steps.next[2], span.t1));
+}
+
 template <class F>
-void MediaRay::walk(float begin, float end, F visit) const {
-    std::array<MediumVolume::Cell, MediumPoint::kMost> cells;
-    std::array<float, MediumPoint::kMost> cell_end{};
-    cell_end.fill(-1.0f);
-    for (float t = begin; t < end;) {
-        float next = end;
-        bool any = false;
+void MediaRay::walk(float end, F visit) const {
+    std::array<Steps, MediumPoint::kMost> steps;
+    float low = 0.0f, high = 0.0f;
+    extent(low, high);
+    end = std::min(end, high);
+    for (size_t i = 0; i < count_; ++i) {
+        steps[i].at = -1;
+        steps[i].until = low;
+    }
+    for (float t = low; t < end;) {
+        float next = end, most = 0.0f;
         for (size_t i = 0; i < count_; ++i) {
-            const Span& span = spans_[i];
-            cells[i] = {};
-            if (t < span.t0) next = std::min(next, span.t0);
-            if (t < span.t0 || t >= span.t1) continue;
-            any = true;
-            next = std::min(next, span.t1);
-            if (span.medium->homogeneous()) {
-                cells[i] = {1.0f, 1.0f};
-                continue;
-            }
-            const vec3 at = span.origin + span.direction * t;
-            glm::ivec3 index;
-            float out = span.t1;
-            for (int a = 0; a < 3; ++a) {
-                // on a face the ray belongs to the cell it goes into
-                index[a] = static_cast<int>(std::floor(at[a]));
-                const float d = span.direction[a];
-                if (d == 0.0f) continue;
-                float edge =
-                    ((d > 0.0f ? static_cast<float>(index[a] + 1) : static_cast<float>(index[a])) - span.origin[a]) / d;
-                if (edge <= t + 1e-6f * std::max(1e-3f, std::abs(t))) {
-                    index[a] += d > 0.0f ? 1 : -1;
-                    edge += 1.0f / std::abs(d);
-                }
-                out = std::min(out, edge);
-            }
-            index = glm::clamp(index, glm::ivec3(0), glm::ivec3(MediumVolume::kCells - 1));
-            cells[i] = span.medium->cell(index);
-            next = std::min(next, std::max(out, std::nextafter(t, end)));
+            if (steps[i].until <= t) advance(spans_[i], t, steps[i]);
+            next = std::min(next, steps[i].until);
+            most += steps[i].cell.most;
         }
-        next = std::max(next, std::nextafter(t, std::numeric_limits<float>::infinity()));
-        if (any && !visit(t, std::min(next, end), cells)) return;
+        if (next > t && most > 0.0f && !visit(t, next, steps)) return;
         t = next;
     }
 }
 
 vec3 MediaRay::transmittance(float end, Sampler& sampler) const {
     vec3 depth(0.0f), ratio(1.0f);
-    walk(0.0f, end, [&](float from, float to, const auto& cells) {
+    walk(end, [&](float from, float to, const auto& steps) {
         vec3 control(0.0f);
         float rate = 0.0f;  // of residual tracking: above every |sigma - control|
         for (size_t i = 0; i < count_; ++i) {
             const MediumVolume& medium = *spans_[i].medium;
-            control += medium.sigma_t * cells[i].mean;
+            control += medium.sigma_t * steps[i].cell.mean;
             if (!medium.homogeneous())
-                rate += largest(medium.sigma_t) * std::max(cells[i].most - cells[i].mean, cells[i].mean);
+                rate += largest(medium.sigma_t) * std::max(steps[i].cell.most - steps[i].cell.mean, steps[i].cell.mean);
         }
         depth += control * (to - from);
         // Novak et al., "Residual Ratio Tracking for Estimating Attenuation in Participating Media", 2014
@@ -179,7 +194,7 @@ vec3 MediaRay::transmittance(float end, Sampler& sampler) const {
             if (t >= to) break;
             vec3 sigma(0.0f);
             for (size_t i = 0; i < count_; ++i)
-                if (cells[i].most > 0.0f)
+                if (steps[i].cell.most > 0.0f)
                     sigma += spans_[i].medium->sigma_t * spans_[i].medium->density(ray_.origin + ray_.direction * t);
             ratio *= vec3(1.0f) - (sigma - control) / rate;
         }
@@ -191,11 +206,11 @@ vec3 MediaRay::transmittance(float end, Sampler& sampler) const {
 void MediaRay::stretches(float begin, float end, std::vector<Stretch>& out) const {
     out.clear();
     float depth = 0.0f;
-    walk(0.0f, end, [&](float from, float to, const auto& cells) {
+    walk(end, [&](float from, float to, const auto& steps) {
         float sigma = 0.0f, scattering = 0.0f;
         for (size_t i = 0; i < count_; ++i) {
-            sigma += mean_of(spans_[i].medium->sigma_t) * cells[i].mean;
-            scattering += mean_of(spans_[i].medium->sigma_s) * cells[i].mean;
+            sigma += mean_of(spans_[i].medium->sigma_t) * steps[i].cell.mean;
+            scattering += mean_of(spans_[i].medium->sigma_s) * steps[i].cell.mean;
         }
         const float low = std::max(from, begin);
         if (low < to && scattering > 0.0f) out.push_back({low, to, sigma, std::exp(-depth - sigma * (low - from))});
@@ -223,12 +238,12 @@ MediumPoint MediaRay::at(float t) const {
 bool MediaRay::fly(float end, int hero, Sampler& sampler, vec3& f, vec3& ratio, float& t, MediumPoint& point,
                    vec3& glow) const {
     bool collided = false;
-    walk(0.0f, end, [&](float from, float to, const auto& cells) {
+    walk(end, [&](float from, float to, const auto& steps) {
         vec3 most(0.0f);
         for (size_t i = 0; i < count_; ++i) {
-            most += spans_[i].medium->sigma_t * cells[i].most;
+            most += spans_[i].medium->sigma_t * steps[i].cell.most;
             // what glows without dimming still needs places to glow at
-            if (spans_[i].medium->emits() && cells[i].most > 0.0f) most += 1.0f / (spans_[i].t1 - spans_[i].t0);
+            if (spans_[i].medium->emits() && steps[i].cell.most > 0.0f) most += 1.0f / (spans_[i].t1 - spans_[i].t0);
         }
         for (t = from;;) {
             const float free = most[hero] > 0.0f ? -std::log(1.0f - sampler.next()) / most[hero] : to - from;

@@ -33,14 +33,11 @@ class MediumVolume {
 
  private:
     friend class MediaRay;
-    static constexpr int kCells = 48;  ///< of the majorant grid, along each axis
+    static constexpr int kCells = 32;  ///< of the majorant grid, along each axis
     struct Cell {
         float most = 0.0f;  ///< no density is above this
         float mean = 0.0f;  ///< about
     };
-    [[nodiscard]] const Cell& cell(glm::ivec3 at) const {
-        return cells_[static_cast<size_t>((at.z * kCells + at.y) * kCells + at.x)];
-    }
     DensityEvaluator density_;
     glm::mat4 to_local_;
     Bounds local_;
@@ -79,6 +76,8 @@ class MediaRay {
     explicit MediaRay(const Ray& ray) : ray_(ray) {}
     /// Adds what of `medium` lies between 0 and `end`.
     void add(const MediumVolume& medium, float end);
+    /// Adds an even medium that fills the ray up to `end`.
+    void fill(const MediumVolume& medium, float end) { spans_[count_++] = {&medium, 0.0f, end}; }
     [[nodiscard]] bool empty() const { return count_ == 0; }
     [[nodiscard]] bool emits() const;
     /// From where to where there may be a medium.
@@ -103,10 +102,20 @@ class MediaRay {
         float t0 = 0.0f, t1 = 0.0f;
         glm::vec3 origin{0.0f}, direction{0.0f};  ///< of the ray over the grid, in cells
     };
-    /// Walks through all stretches in [begin, end] in order. `visit(from, to, most, mean)` with the densities' bounds
-    /// per span (0 where it is not) returns false to stop.
+    /// Where a walk is within a span's grid (Amanatides & Woo, "A Fast Voxel Traversal Algorithm", 1987).
+    struct Steps {
+        MediumVolume::Cell cell;            ///< {0, 0} outside of the span
+        float until = 0.0f;                 ///< it holds up to here
+        int at = -1, stride[3] = {};        ///< index into the cells; -1 before the span was entered
+        int left[3] = {};                   ///< cells before the grid ends, along each axis
+        float next[3] = {}, delta[3] = {};  ///< where the next face of each axis is, and from one to the next
+    };
+    static void enter(const Span& span, float t, Steps& steps);
+    static void advance(const Span& span, float t, Steps& steps);
+    /// Walks through all stretches in [0, end] in order. `visit(from, to, steps)`, steps for each span, returns false
+    /// to stop.
     template <class F>
-    void walk(float begin, float end, F visit) const;
+    void walk(float end, F visit) const;
 
     Ray ray_;
     Span spans_[MediumPoint::kMost];

@@ -89,36 +89,74 @@ bool PathTracer::turn(Path& path, const vec3& direction, float pdf, const vec3& 
 PathResult PathTracer::trace(const Ray& ray, Sampler& sampler, std::vector<MediaRay::Stretch>& stretches) const {
     Path path{.ray = ray, .nesting = world_.camera_nesting(), .sampler = sampler, .stretches = stretches};
     path.hero = std::min(static_cast<int>(sampler.next() * 3.0f), 2);
-    for (;;) {
-        Hit hit;
-        const bool met = world_.geometry().intersect(path.ray, RayMask::all, hit);
-        ++path.result.rays;
-        const float end = met ? hit.distance_m : std::numeric_limits<float>::infinity();
-        const MediaRay media = world_.media(path.ray, end, path.nesting);
-        if (!media.empty() && path.nesting.empty()) light_along(path, media);
-        if (world_.lights().any_sized()) meet_lights(path, media, end, false);
-        if (!media.empty()) {
-            float t = 0.0f;
-            MediumPoint point;
-            vec3 glow(0.0f);
-            const bool collided = media.fly(end, path.hero, sampler, path.f, path.ratio, t, point, glow);
-            if (media.emits()) add(path, glow, path.order, path.first);
-            if (collided) {
-                if (!scatter_in_medium(path, t, point)) break;
-                continue;
-            }
-        }
-        if (!met) {
-            meet_lights(path, media, end, true);
-            break;
-        }
-        if (!meet_surface(path, hit)) break;
+    while (step(path)) {
     }
     if (settings_.clamp > 0.0f) {
         const float luminance = physics::luminance_rec709(path.result.values.radiance);
         if (luminance > settings_.clamp) path.result.values.radiance *= settings_.clamp / luminance;
     }
     return path.result;
+}
+
+bool PathTracer::step(Path& path) const {
+    if (const MediumVolume* medium = world_.even_interior(path.nesting)) return step_inside(path, *medium);
+    Hit hit;
+    const bool met = world_.geometry().intersect(path.ray, RayMask::all, hit);
+    ++path.result.rays;
+    const float end = met ? hit.distance_m : std::numeric_limits<float>::infinity();
+    const MediaRay media = world_.media(path.ray, end, path.nesting);
+    if (!media.empty() && path.nesting.empty()) light_along(path, media);
+    if (world_.lights().any_sized()) meet_lights(path, media, end, false);
+    if (!media.empty()) {
+        // nothing more can be found where a flight would end: what arrives is dimmed instead
+        const bool last = path.order >= settings_.max_order || !settings_.media_scatter ||
+                          (path.order + 1 == settings_.max_order && path.nesting.empty() && path.turns == 0 &&
+                           !world_.lights().any_sized());
+        if (last && !media.emits()) {
+            path.f *= media.transmittance(end, path.sampler);
+        } else {
+            float t = 0.0f;
+            MediumPoint point;
+            vec3 glow(0.0f);
+            const bool collided = media.fly(end, path.hero, path.sampler, path.f, path.ratio, t, point, glow);
+            if (media.emits()) add(path, glow, path.order, path.first);
+            if (collided) return scatter_in_medium(path, t, point);
+        }
+    }
+    if (met) return meet_surface(path, hit);
+    meet_lights(path, media, end, true);
+    return false;
+}
+
+bool PathTracer::step_inside(Path& path, const MediumVolume& medium) const {
+    const float sigma = medium.sigma_t[path.hero];
+    const float flight =
+        sigma > 0.0f ? -std::log(1.0f - path.sampler.next()) / sigma : std::numeric_limits<float>::infinity();
+    // A place closer to the boundary than rounding can tell would leave the mesh: it is drawn back.
+    const vec3 size = glm::abs(path.ray.origin);
+    const float margin = 1e-5f * flight + 1e-6f * largest(size);
+    Hit hit;
+    path.ray.far_m = flight + margin;
+    bool met = world_.geometry().intersect(path.ray, RayMask::all, hit);
+    path.ray.far_m = std::numeric_limits<float>::infinity();
+    ++path.result.rays;
+    if (!met && flight == path.ray.far_m) return false;  // out through a hole in the mesh
+    const bool close = met && hit.distance_m >= flight;
+    const float end = close ? std::max(0.0f, std::min(flight, hit.distance_m - margin)) : met ? hit.distance_m : flight;
+    met = met && !close;
+    MediaRay media(path.ray);
+    media.fill(medium, end);
+    if (world_.lights().any_sized()) meet_lights(path, media, end, false);
+    const vec3 passed = glm::exp(-(medium.sigma_t - vec3(sigma)) * end);  // over the hero's
+    path.f *= passed;
+    path.ratio *= passed;
+    if (met) return meet_surface(path, hit);
+    path.f /= sigma;
+    path.ratio *= medium.sigma_t / sigma;
+    MediumPoint point;
+    point.parts[point.count++] = {&medium, 1.0f};
+    point.sigma_s = medium.sigma_s, point.sigma_t = medium.sigma_t;
+    return scatter_in_medium(path, end, point);
 }
 
 // Media ------------------------------------------------------------------------------------------------------------
@@ -196,7 +234,7 @@ void PathTracer::light_along(Path& path, const MediaRay& media) const {
     if (point.count == 0) return;
     const vec3 place = path.ray.origin + path.ray.direction * t;
     LightSample sample;
-    if (!lights.sample(light, place, path.sampler.next2(), sample)) return;
+    if (!lights.sample(light, place, lights.sized(light) ? path.sampler.next2() : vec2(0.0f), sample)) return;
     const float u = glm::dot(sample.direction, path.ray.direction);
     vec3 value = point.scattering(u) * sample.light * path.weight() * (sum / (weight * pdf));
     if (sample.pdf > 0.0f) value *= power_weight(lights.probability_at(light, place) * sample.pdf, point.pdf(u));
@@ -220,7 +258,7 @@ void PathTracer::light_at_medium(Path& path, const vec3& place, const MediumPoin
         return;
     if (air && lights.positional(light)) return;
     LightSample sample;
-    if (!lights.sample(light, place, path.sampler.next2(), sample)) return;
+    if (!lights.sample(light, place, lights.sized(light) ? path.sampler.next2() : vec2(0.0f), sample)) return;
     const float u = glm::dot(sample.direction, path.ray.direction);
     vec3 value = point.scattering(u) * sample.light * path.weight() / probability;
     if (sample.pdf > 0.0f) value *= power_weight(probability * sample.pdf, point.pdf(u));
@@ -304,7 +342,7 @@ void PathTracer::light_at_surface(Path& path, const SurfacePoint& point, const B
     const float choice = lights.count() > 1 ? path.sampler.next() : 0.0f;
     if (!lights.choose_at(choice, point.position, light, probability)) return;
     LightSample sample;
-    if (!lights.sample(light, point.position, path.sampler.next2(), sample)) return;
+    if (!lights.sample(light, point.position, lights.sized(light) ? path.sampler.next2() : vec2(0.0f), sample)) return;
     float pdf = 0.0f;
     vec3 value = bsdf.evaluate(sample.direction, pdf) * sample.light * path.weight() / probability;
     if (sample.pdf > 0.0f) value *= power_weight(probability * sample.pdf, pdf);

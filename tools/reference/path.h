@@ -31,6 +31,9 @@ class PathTracer {
 
  private:
     struct Path;
+    /// The path's next straight stretch and what happens at its end; false when the path is over.
+    bool step(Path& path) const;
+    bool step_inside(Path& path, const MediumVolume& medium) const;
     void light_along(Path& path, const MediaRay& media) const;
     float draw_distance(Path& path, const MediaRay& media, size_t light, float t0, float t1, float& pdf) const;
     bool scatter_in_medium(Path& path, float t, const MediumPoint& point) const;

@@ -13,7 +13,7 @@ namespace tyndall::reference {
 /// samples of a batch are stratified against each other, whole batches are independent. Later ones are plain hashes.
 class Sampler {
  public:
-    Sampler(glm::uvec2 pixel, uint32_t seed, uint64_t batch, uint32_t index) : index_(index) {
+    Sampler(glm::uvec2 pixel, uint32_t seed, uint64_t batch, uint32_t index) : reversed_index_(reverse(index)) {
         uint32_t hash = physics::hash_pcg(pixel.x + 0x9e3779b9u);
         hash = physics::hash_pcg(hash ^ pixel.y);
         hash = physics::hash_pcg(hash ^ seed);
@@ -32,10 +32,9 @@ class Sampler {
             return {x, physics::random_float(state_)};
         }
         const uint32_t seed = physics::hash_pcg(seed_ ^ (++pair_ * 0x9e3779b9u));
-        const uint32_t index = owen_scramble(index_, seed);
-        const uint32_t x = reverse(index);
-        return {physics::unit_float(owen_scramble(x, seed ^ 0xa511e9b3u)),
-                physics::unit_float(owen_scramble(sobol_second(index), seed ^ 0x63d83595u))};
+        const uint32_t index = reverse(laine_karras(reversed_index_, seed));  // shuffled against other pairs
+        return {physics::unit_float(reverse(laine_karras(index, seed ^ 0xa511e9b3u))),
+                physics::unit_float(reverse(laine_karras(pascal(index), seed ^ 0x63d83595u)))};
     }
     /// From here on numbers are plain hashes: for loops whose length differs from sample to sample.
     [[nodiscard]] float next_independent() { return physics::random_float(state_); }
@@ -58,16 +57,17 @@ class Sampler {
         x ^= x * 0x53a22864u;
         return x;
     }
-    static uint32_t owen_scramble(uint32_t x, uint32_t seed) { return reverse(laine_karras(reverse(x), seed)); }
-    /// Sobol's second dimension: its generator matrix is Pascal's triangle modulo 2.
-    static uint32_t sobol_second(uint32_t index) {
-        uint32_t result = 0;
-        for (uint32_t column = 0x80000000u; index != 0; index >>= 1, column ^= column >> 1)
-            if (index & 1u) result ^= column;
-        return result;
+    /// Sobol's second dimension with its bits reversed: Pascal's triangle modulo 2 as a matrix, by halves (Ahmed, "An
+    /// Implementation Algorithm of 2D Sobol Sequence Fast, Elegant, and Compact", 2024). The first is the index itself.
+    static uint32_t pascal(uint32_t x) {
+        x ^= x >> 16;
+        x ^= (x & 0xff00ff00u) >> 8;
+        x ^= (x & 0xf0f0f0f0u) >> 4;
+        x ^= (x & 0xccccccccu) >> 2;
+        return x ^ ((x & 0xaaaaaaaau) >> 1);
     }
 
-    uint32_t index_, seed_, state_;
+    uint32_t reversed_index_, seed_, state_;
     uint32_t pair_ = 0;
 };
 

@@ -110,9 +110,19 @@ MediaRay TracedWorld::media(const Ray& ray, float end, const Nesting& nesting) c
     if (inside == Nesting::kNone) {
         for (const auto& medium : air_) out.add(*medium, end);
     } else if (interiors_[inside]) {
-        out.add(*interiors_[inside], end);
+        if (interiors_[inside]->homogeneous() && end < std::numeric_limits<float>::infinity())
+            out.fill(*interiors_[inside], end);
+        else
+            out.add(*interiors_[inside], end);  // a ray that found no way out ends at the mesh's bounds
     }
     return out;
+}
+
+const MediumVolume* TracedWorld::even_interior(const Nesting& nesting) const {
+    const uint32_t inside = nesting.current(surfaces_);
+    if (inside == Nesting::kNone || !interiors_[inside]) return nullptr;
+    const MediumVolume& medium = *interiors_[inside];
+    return medium.homogeneous() && !medium.emits() ? &medium : nullptr;
 }
 
 Crossing TracedWorld::cross(const SurfacePoint& point, uint32_t surface, const vec3& direction,
@@ -143,9 +153,10 @@ vec3 TracedWorld::visibility(const SurfacePoint* leaving, Ray ray, float distanc
         const float end = met ? hit.distance_m : ray.far_m;
         const MediaRay media = this->media(ray, end, nesting);
         if (!media.empty()) share *= media.transmittance(end, sampler);
-        if (!met) return share;
-        const SurfacePoint point = geometry_.point(hit);
+        // a place that rounding put outside of its mesh would be lit as if the mesh were not there
+        if (!met) return nesting.empty() || std::isfinite(ray.far_m) ? share : vec3(0.0f);
         const Surface& surface = surfaces_[hit.surface];
+        const SurfacePoint point = surface.interior ? geometry_.flat_point(hit) : geometry_.point(hit);
         if (surface.interior) {
             const Crossing crossing = cross(point, hit.surface, ray.direction, nesting);
             if (crossing.eta != 1.0f) return vec3(0.0f);

@@ -54,6 +54,9 @@ class TracedWorld {
 
     /// The media between the ray's start and `end`, where `nesting` holds the start and no boundary is met before.
     [[nodiscard]] MediaRay media(const Ray& ray, float end, const Nesting& nesting) const;
+    /// The even, dark medium of the interior that holds a place, or null: flights in it are drawn before the boundary
+    /// is looked for.
+    [[nodiscard]] const MediumVolume* even_interior(const Nesting& nesting) const;
     [[nodiscard]] Crossing cross(const SurfacePoint& point, uint32_t surface, const glm::vec3& direction,
                                  const Nesting& nesting) const;
     /// Estimate of what share of light comes through from `distance_m` along the ray; 0 when something blocks it.

@@ -77,6 +77,14 @@ Share share_of(const TraceOptions& options, int batch) {
     return share;
 }
 
+/// Long sequences leave less error, but it takes a few batches to know how much: at least four.
+int batch_for(int64_t spp) {
+    if (spp == 0) return 16;
+    int batch = 1;
+    while (batch < 256 && batch * 8 <= spp) batch *= 2;
+    return batch;
+}
+
 reference::TraceSettings settings_of(const TraceOptions& options) {
     reference::TraceSettings settings;
     settings.size = parse_size(options.size);
@@ -85,11 +93,7 @@ reference::TraceSettings settings_of(const TraceOptions& options) {
     settings.components = options.components;
     settings.surfaces_scatter = !options.no_surfaces;
     settings.media_scatter = !options.no_media;
-    // few samples are better spent on many batches: without two there is no variance
-    settings.batch = options.batch > 0                        ? options.batch
-                     : options.spp == 0 || options.spp >= 128 ? 16
-                     : options.spp >= 16                      ? 4
-                                                              : 1;
+    settings.batch = options.batch > 0 ? options.batch : batch_for(options.spp);
     if (options.single) settings.max_order = 1;
     if (options.orders.empty()) return settings;
     int64_t low = 0, high = std::numeric_limits<int>::max();
