@@ -185,7 +185,7 @@ bool Lights::sample_placed(const Entry& entry, const vec3& point, vec2 xi, Light
     if (!(square > 0.0f)) return false;
     const vec3 axis = offset / metres;
     if (radius <= 0.0f) {
-        out = {axis, metres, intensity_toward(entry, point, axis, metres) / square, 0.0f};
+        out = {axis, metres, intensity_toward(entry, point, axis, metres) / square};
         return out.light != vec3(0.0f);
     }
     if (metres <= radius) return false;  // inside the source there is no light of it
@@ -204,7 +204,7 @@ bool Lights::sample_directional(const Entry& entry, const vec3& point, vec2 xi, 
     const vec3 axis = -travel(entry.light);
     const vec3 illuminance = entry.light.intensity * gobo_toward(entry.light, point);
     if (entry.light.angular_radius <= 0.0f) {
-        out = {axis, kInfinity, illuminance, 0.0f};
+        out = {axis, kInfinity, illuminance};
         return true;
     }
     const float sine = std::sin(entry.light.angular_radius), less = sine * sine / (1.0f + entry.cos_radius);
@@ -242,6 +242,7 @@ bool Lights::sample_triangles(const vec3& point, vec2 xi, LightSample& out) cons
 
 bool Lights::sample(size_t light, const vec3& point, vec2 xi, LightSample& out) const {
     const Entry& entry = entries_[light];
+    out.placed = entry.kind == Kind::placed || entry.kind == Kind::directional;
     switch (entry.kind) {
         case Kind::placed:
             return sample_placed(entry, point, xi, out);

@@ -16,6 +16,7 @@ struct LightSample {
     float distance_m = 0.0f;    ///< may be infinite
     glm::vec3 light{0.0f};      ///< radiance over its density; of a light without size: irradiance facing it
     float pdf = 0.0f;           ///< per steradian, given the light; 0 for a light without size
+    bool placed = true;         ///< of a light entity: surfaces that cast no shadow let it pass
 };
 
 /// An image of the surroundings and its importance: luminance times solid angle (Pharr et al., PBRT, 12.5).

@@ -237,11 +237,11 @@ void PathTracer::light_along(Path& path, const MediaRay& media) const {
     if (!lights.sample(light, place, lights.sized(light) ? path.sampler.next2() : vec2(0.0f), sample)) return;
     const float u = glm::dot(sample.direction, path.ray.direction);
     vec3 value = point.scattering(u) * sample.light * path.weight() * (sum / (weight * pdf));
-    if (sample.pdf > 0.0f) value *= power_weight(lights.probability_at(light, place) * sample.pdf, point.pdf(u));
+    const float mis =
+        sample.pdf > 0.0f ? power_weight(lights.probability_at(light, place) * sample.pdf, point.pdf(u)) : 1.0f;
     if (value == vec3(0.0f)) return;
     ++path.result.rays;
-    value *= world_.visibility(nullptr, {place, sample.direction}, sample.distance_m, path.nesting, sample.pdf > 0.0f,
-                               path.sampler);
+    value *= world_.visibility(nullptr, place, sample, path.nesting, mis, path.sampler);
     if (value == vec3(0.0f)) return;
     add(path, value * media.transmittance(t, path.sampler), path.order + 1, path.order == 0 ? 2 : path.first);
 }
@@ -261,11 +261,10 @@ void PathTracer::light_at_medium(Path& path, const vec3& place, const MediumPoin
     if (!lights.sample(light, place, lights.sized(light) ? path.sampler.next2() : vec2(0.0f), sample)) return;
     const float u = glm::dot(sample.direction, path.ray.direction);
     vec3 value = point.scattering(u) * sample.light * path.weight() / probability;
-    if (sample.pdf > 0.0f) value *= power_weight(probability * sample.pdf, point.pdf(u));
+    const float mis = sample.pdf > 0.0f ? power_weight(probability * sample.pdf, point.pdf(u)) : 1.0f;
     if (value == vec3(0.0f)) return;
     ++path.result.rays;
-    value *= world_.visibility(nullptr, {place, sample.direction}, sample.distance_m, path.nesting, sample.pdf > 0.0f,
-                               path.sampler);
+    value *= world_.visibility(nullptr, place, sample, path.nesting, mis, path.sampler);
     add(path, value, path.order + 1, path.order == 0 ? 2 : path.first);
 }
 
@@ -345,13 +344,12 @@ void PathTracer::light_at_surface(Path& path, const SurfacePoint& point, const B
     if (!lights.sample(light, point.position, lights.sized(light) ? path.sampler.next2() : vec2(0.0f), sample)) return;
     float pdf = 0.0f;
     vec3 value = bsdf.evaluate(sample.direction, pdf) * sample.light * path.weight() / probability;
-    if (sample.pdf > 0.0f) value *= power_weight(probability * sample.pdf, pdf);
+    const float mis = sample.pdf > 0.0f ? power_weight(probability * sample.pdf, pdf) : 1.0f;
     if (value == vec3(0.0f)) return;
     ++path.result.rays;
     const bool crosses = (glm::dot(sample.direction, point.geometric_normal) > 0.0f) !=
                          (glm::dot(path.ray.direction, point.geometric_normal) < 0.0f);
-    value *= world_.visibility(&point, {point.position, sample.direction}, sample.distance_m,
-                               crosses ? other_side : path.nesting, sample.pdf > 0.0f, path.sampler);
+    value *= world_.visibility(&point, point.position, sample, crosses ? other_side : path.nesting, mis, path.sampler);
     add(path, value, path.order + 1, path.order == 0 ? 1 : path.first);
 }
 

@@ -139,14 +139,15 @@ Crossing TracedWorld::cross(const SurfacePoint& point, uint32_t surface, const v
     return crossing;
 }
 
-vec3 TracedWorld::visibility(const SurfacePoint* leaving, Ray ray, float distance_m, Nesting nesting, bool sized,
-                             Sampler& sampler) const {
-    if (leaving) ray.origin = offset_origin(*leaving, ray.direction);
-    ray.far_m = distance_m;
-    const auto blocking = static_cast<uint32_t>(RayMask::blocking) |
-                          (sized && shadowless_ ? static_cast<uint32_t>(RayMask::shadowless) : 0u);
-    if (geometry_.occluded(ray, static_cast<RayMask>(blocking))) return vec3(0.0f);
-    vec3 share(1.0f);
+vec3 TracedWorld::visibility(const SurfacePoint* leaving, const vec3& place, const LightSample& light, Nesting nesting,
+                             float mis, Sampler& sampler) const {
+    Ray ray{leaving ? offset_origin(*leaving, light.direction) : place, light.direction, light.distance_m};
+    if (geometry_.occluded(ray, RayMask::blocking)) return vec3(0.0f);
+    if (shadowless_ && (!light.placed || mis < 1.0f) && geometry_.occluded(ray, RayMask::shadowless)) {
+        if (!light.placed) return vec3(0.0f);
+        mis = 1.0f;
+    }
+    vec3 share(mis);
     for (int i = 0; i < 1000; ++i) {
         Hit hit;
         const bool met = passing_ && geometry_.intersect(ray, RayMask::passing, hit);
@@ -161,7 +162,7 @@ vec3 TracedWorld::visibility(const SurfacePoint* leaving, Ray ray, float distanc
             const Crossing crossing = cross(point, hit.surface, ray.direction, nesting);
             if (crossing.eta != 1.0f) return vec3(0.0f);
             nesting = crossing.beyond;
-        } else if (surface.casts_shadow || sized) {
+        } else if (surface.casts_shadow) {
             const MaterialPoint material = material_at(*surface.material, point);
             vec3 through(1.0f - material.opacity);
             if (material.thin_transmission > 0.0f && material.opacity > 0.0f) {

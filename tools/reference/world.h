@@ -59,10 +59,11 @@ class TracedWorld {
     [[nodiscard]] const MediumVolume* even_interior(const Nesting& nesting) const;
     [[nodiscard]] Crossing cross(const SurfacePoint& point, uint32_t surface, const glm::vec3& direction,
                                  const Nesting& nesting) const;
-    /// Estimate of what share of light comes through from `distance_m` along the ray; 0 when something blocks it.
-    /// `sized`: the light has a size, so that what casts no shadow still hides it from paths.
-    [[nodiscard]] glm::vec3 visibility(const SurfacePoint* leaving, Ray ray, float distance_m, Nesting nesting,
-                                       bool sized, Sampler& sampler) const;
+    /// Estimate of what share of a light comes through to a place; 0 when something blocks it. `mis` is the sample's
+    /// weight beside other strategies: where the light passes a surface that casts no shadow it becomes 1, since paths
+    /// cannot follow it there. `leaving`: the surface that the place lies on, or null.
+    [[nodiscard]] glm::vec3 visibility(const SurfacePoint* leaving, const glm::vec3& place, const LightSample& light,
+                                       Nesting nesting, float mis, Sampler& sampler) const;
 
  private:
     [[nodiscard]] Nesting nesting_at(const glm::vec3& point) const;
