@@ -14,6 +14,7 @@
 #include "commands.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "core/parallel.h"
 #include "image/image_io.h"
 #include "reference/trace.h"
 #include "trace_recipe.h"
@@ -37,7 +38,7 @@ struct TraceOptions {
     std::string file, size = "640x360", out, shard, orders;
     int64_t spp = 0;
     double time_s = 0.0, noise = 0.0, checkpoint_s = 60.0;
-    int batch = 0;
+    int batch = 0, threads = 0;
     uint32_t seed = 0;
     float clamp = 0.0f;
     bool resume = false, single = false, components = false, no_surfaces = false, no_media = false, png = false;
@@ -119,6 +120,8 @@ class TraceRun {
         }
         const RenderScene& scene = engine_.extract();
         if (!engine_.unmade().empty()) throw Error(engine_.unmade());
+        if (const std::string problem = engine_.problems(); !problem.empty())
+            throw Error("nothing was traced, since a part of the scene is missing: " + problem);
         if (scene.cameras.empty()) throw Error(options.file + ": the scene has no camera to trace from");
         share_ = share_of(options, settings.batch);
         tracer_ = std::make_unique<Tracer>(scene, settings);
@@ -235,6 +238,8 @@ class TraceRun {
 };
 
 int trace(const TraceOptions& options) {
+    std::optional<ThreadLimit> limit;
+    if (options.threads > 0) limit.emplace(static_cast<size_t>(options.threads));
     TraceRun run(options);
     const auto on_signal = [](int) { interrupted = true; };
     std::signal(SIGINT, on_signal);
@@ -271,6 +276,7 @@ void add_stops(CLI::App& sub, TraceOptions& options) {
     sub.add_option("--noise", options.noise, "Stop at this noise: root mean square error over the mean, such as 0.01")
         ->check(CLI::PositiveNumber);
     sub.add_option("--batch", options.batch, "Samples that share one low-discrepancy sequence: a power of two");
+    sub.add_option("--threads", options.threads, "Threads; all cores otherwise")->check(CLI::Range(1, 1024));
     sub.add_option("--seed", options.seed, "Another seed gives an independent picture");
     sub.add_option("--out", options.out, "The film, an EXR; otherwise the scene's name");
     sub.add_flag("--png", options.png, "Also write the picture through the display transform");
