@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "reference/dielectric_bsdf.h"
+#include "reference/rough_boundary.h"
 
 namespace tyndall::reference {
 namespace {
@@ -460,11 +460,10 @@ bool PathTracer::rough_boundary(Path& path, const SurfacePoint& point, uint32_t 
     const vec3 side = back ? -point.geometric_normal : point.geometric_normal;
     vec3 n = back ? -point.normal : point.normal;
     if (glm::dot(n, v) <= 0.0f) n = side;
-    const DielectricBsdf bsdf(n, v, crossing.eta, world_.surfaces()[surface].interior->roughness);
+    const RoughBoundary bsdf(n, v, crossing.eta, world_.surfaces()[surface].interior->roughness, path.sampler);
     light_at_surface(path, point, bsdf, crossing.beyond);
     BsdfSample sample;
-    const float choice = path.sampler.next();
-    if (!bsdf.sample(choice, path.sampler.next2(), sample)) return false;
+    if (!bsdf.sample(sample)) return false;
     const bool reflects = glm::dot(sample.direction, n) > 0.0f;
     if ((glm::dot(sample.direction, side) > 0.0f) != reflects) return false;
     if (!reflects) {
