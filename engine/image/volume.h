@@ -1,17 +1,18 @@
 #pragma once
 /// A scalar on a grid of voxels, and reading it from OpenVDB and raw files.
 
+#include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
-#include <string>
+#include <string_view>
 #include <vector>
 
 namespace tyndall {
 
 /// Dense values of a grid, x fastest, then y, then z. Values lie at voxel centres.
 struct Volume {
-    glm::ivec3 size{0};        ///< voxels along x, y, z
-    glm::vec3 voxel_m{1.0f};   ///< edge lengths of a voxel as the file has them; only their ratios matter for fitting
+    glm::ivec3 size{0};         ///< voxels along x, y, z
+    glm::vec3 voxel_m{1.0f};    ///< edge lengths of a voxel as the file has them; only their ratios matter for fitting
     std::vector<float> values;  ///< size.x * size.y * size.z, finite
 
     [[nodiscard]] float at(int x, int y, int z) const {
@@ -20,5 +21,17 @@ struct Volume {
                       static_cast<size_t>(x)];
     }
 };
+
+/// A volume has at most so many voxels: a gigabyte of them.
+inline constexpr int64_t kMaxVoxels = int64_t{1} << 28;
+/// The grid that is read when none is named.
+inline constexpr std::string_view kDefaultGrid = "density";
+
+/// Reads an OpenVDB file (the active box of the float grid called `grid`; an empty name is kDefaultGrid) or a JSON
+/// description of a raw file (docs/assets.md), which has no grids to name. Adds the files that it reads to `sources`,
+/// also when it throws. Throws Error with the file and the reason when the file is neither, is broken, has no such grid
+/// (with the nearest name), or is too large.
+[[nodiscard]] Volume load_volume(const std::filesystem::path& file, std::string_view grid = {},
+                                 std::vector<std::filesystem::path>* sources = nullptr);
 
 }  // namespace tyndall

@@ -11,6 +11,7 @@
 #include "core/log.h"
 #include "core/paths.h"
 #include "scene/gltf_import.h"
+#include "scene/phase_table.h"
 #include "scene/texture_loading.h"
 
 namespace tyndall {
@@ -159,6 +160,27 @@ struct AssetStore::Implementation {
         });
     }
 
+    Cache<VolumeAsset>& volumes_of(std::string_view grid) {
+        const auto found = volumes.find(grid);
+        if (found != volumes.end()) return found->second;
+        const auto load = [grid = std::string(grid)](const fs::path& file, std::string_view name,
+                                                     std::vector<fs::path>& sources) {
+            return VolumeAsset{
+                .id = new_asset_id(), .name = std::string(name), .volume = load_volume(file, grid, &sources)};
+        };
+        return volumes.emplace(grid, Cache<VolumeAsset>(load)).first->second;
+    }
+
+    /// Calls `visit` with every cache.
+    template <class Visit>
+    void each(Visit visit) {
+        visit(meshes);
+        visit(gltfs);
+        visit(phase_tables);
+        for (auto& cache : textures) visit(cache);
+        for (auto& cache : volumes) visit(cache.second);
+    }
+
     template <class Asset>
     std::shared_ptr<const Asset> get(Cache<Asset>& cache, std::string_view name) {
         if (auto found = cache.find(name)) return found;
@@ -205,6 +227,9 @@ struct AssetStore::Implementation {
     Cache<GltfAsset> gltfs{[this](const fs::path& file, std::string_view name, std::vector<fs::path>& sources) {
         return import_gltf(file, name, config, sources);
     }};
+    std::map<std::string, Cache<VolumeAsset>, std::less<>> volumes;  ///< one for each name of a grid
+    Cache<PhaseTable> phase_tables{
+        [](const fs::path& file, std::string_view name, auto&) { return load_phase_table(file, name); }};
 };
 
 AssetStore::AssetStore(const ColorConfig& config, fs::path base)
@@ -215,9 +240,7 @@ void AssetStore::set_base(fs::path base) {
     if (base == self_->base) return;
     self_->base = std::move(base);
     self_->missing.clear();
-    self_->meshes.forget_names();
-    self_->gltfs.forget_names();
-    for (auto& cache : self_->textures) cache.forget_names();
+    self_->each([](auto& cache) { cache.forget_names(); });
 }
 
 fs::path AssetStore::resolve(std::string_view name) const {
@@ -236,15 +259,21 @@ std::shared_ptr<const GltfAsset> AssetStore::gltf(std::string_view name) {
     return self_->get(self_->gltfs, name);
 }
 
+std::shared_ptr<const VolumeAsset> AssetStore::volume(std::string_view name, std::string_view grid) {
+    return self_->get(self_->volumes_of(grid.empty() ? kDefaultGrid : grid), name);
+}
+
+std::shared_ptr<const PhaseTable> AssetStore::phase_table(std::string_view name) {
+    return self_->get(self_->phase_tables, name);
+}
+
 bool AssetStore::reload_changed() {
     const std::vector<fs::path> changed = self_->watch.changed();
     if (changed.empty()) return false;
     bool any = std::erase_if(self_->missing, [&](const auto& entry) {
                    return std::ranges::binary_search(changed, entry.second.file);
                }) > 0;
-    any = self_->meshes.reload(changed, self_->watch) || any;
-    any = self_->gltfs.reload(changed, self_->watch) || any;
-    for (auto& cache : self_->textures) any = cache.reload(changed, self_->watch) || any;
+    self_->each([&](auto& cache) { any = cache.reload(changed, self_->watch) || any; });
     return any;
 }
 
@@ -252,15 +281,11 @@ void AssetStore::collect() {
     std::vector<fs::path> before;
     std::vector<fs::path> after;
     const auto sources = [&](std::vector<fs::path>& all) {
-        self_->meshes.add_sources(all);
-        self_->gltfs.add_sources(all);
-        for (const auto& cache : self_->textures) cache.add_sources(all);
+        self_->each([&](const auto& cache) { cache.add_sources(all); });
         std::ranges::sort(all);
     };
     sources(before);
-    self_->meshes.collect();
-    self_->gltfs.collect();
-    for (auto& cache : self_->textures) cache.collect();
+    self_->each([](auto& cache) { cache.collect(); });
     sources(after);
     for (const fs::path& file : before)
         if (!std::ranges::binary_search(after, file)) self_->watch.remove(file);

@@ -1,5 +1,5 @@
 #pragma once
-/// Meshes, textures, materials and glTF files by name, loaded once, shared, reloaded when they change on disk.
+/// Meshes, textures, volumes, materials and glTF files by name, loaded once, shared, reloaded when they change on disk.
 
 #include <filesystem>
 #include <memory>
@@ -51,6 +51,10 @@ class AssetStore {
     [[nodiscard]] std::shared_ptr<const MeshAsset> mesh(std::string_view name);
     [[nodiscard]] std::shared_ptr<const TextureAsset> texture(std::string_view name, TextureUse use);
     [[nodiscard]] std::shared_ptr<const GltfAsset> gltf(std::string_view name);
+    /// `grid` of an OpenVDB file; empty for kDefaultGrid, and for files without grids (image/volume.h).
+    [[nodiscard]] std::shared_ptr<const VolumeAsset> volume(std::string_view name, std::string_view grid);
+    /// A phase function's table (scene/phase_table.h).
+    [[nodiscard]] std::shared_ptr<const PhaseTable> phase_table(std::string_view name);
 
     /// Reloads what changed on disk since it was loaded; a broken file keeps the last good one and logs. True when
     /// something changed.

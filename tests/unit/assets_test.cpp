@@ -203,5 +203,55 @@ TEST_F(Assets, AnotherBaseMeansOtherFiles) {
     EXPECT_EQ(store_.mesh("a.obj"), here);
 }
 
+TEST_F(Assets, VolumesAreSharedByGridAndReloadWithTheirRawFile) {
+    write("v.raw", std::string(8, '\xff'));
+    write("v.json", R"({"raw": "v.raw", "type": "u8", "size": [2, 2, 2]})");
+    const auto volume = store_.volume("v.json", "");
+    EXPECT_EQ(volume->volume.at(1, 1, 1), 1.0f);
+    EXPECT_NE(volume->id, 0u);
+    EXPECT_EQ(store_.volume("v.json", "density"), volume) << "the default has a name";
+    EXPECT_EQ(store_.volume("v.json", ""), volume);
+    EXPECT_NE(error_of([&] { (void)store_.volume("w.json", ""); }).find("did you mean 'v.json'?"), std::string::npos);
+    write("v.raw", std::string(8, '\0'));
+    ASSERT_TRUE(reloads());
+    EXPECT_EQ(store_.volume("v.json", "")->volume.at(1, 1, 1), 0.0f);
+    EXPECT_NE(store_.volume("v.json", "")->id, volume->id);
+    write("v.json", "{}");
+    reloads();
+    EXPECT_EQ(store_.volume("v.json", "")->volume.at(1, 1, 1), 0.0f) << "the last good one stays";
+    EXPECT_EQ(errors_, 1);
+}
+
+TEST_F(Assets, PhaseTablesAreNormalisedPerChannel) {
+    write("flat.txt", "# angle r g b\n0 1 2 4\n90, 1, 2, 4\n180\t1 2 4 # the end\n");
+    const auto flat = store_.phase_table("flat.txt");
+    ASSERT_EQ(flat->values.size(), 3u);
+    for (const glm::vec3& value : flat->values)
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(value[i], 0.25 / 3.14159265, 1e-7);
+    // linear in the angle from 1 to 0: 2 pi integral (1 - t / pi) sin t dt = 2 pi
+    write("ramp.txt", "0 5\n180 0\n");
+    const auto ramp = store_.phase_table("ramp.txt");
+    ASSERT_EQ(ramp->values.size(), 2u);
+    EXPECT_NEAR(ramp->values[0].x, 0.5 / 3.14159265, 1e-6);
+    write("uneven.txt", "0 5\n45 4\n180 1\n");
+    EXPECT_EQ(store_.phase_table("uneven.txt")->values.size(), 5u) << "as fine as its finest step";
+
+    const auto error = [&](const char* text) {
+        write("bad.txt", text);
+        AssetStore fresh(config_, folder_ / "scene");
+        return error_of([&] { (void)fresh.phase_table("bad.txt"); });
+    };
+    for (const auto& [text, part] : {std::pair{"0 1\n", "too early"},
+                                     {"0 1\n90 1\n80 1\n", "bad.txt:3"},
+                                     {"5 1\n180 1\n", "not 0"},
+                                     {"0 1\n180 x\n", "'x'"},
+                                     {"0 -1\n180 1\n", "out of range"},
+                                     {"0 0\n180 0\n", "scatters nothing"},
+                                     {"0 1 2\n180 1 2\n", "3 numbers"},
+                                     {"0 1\n180 nan\n", "'nan'"},
+                                     {"", "too early"}})
+        EXPECT_NE(error(text).find(part), std::string::npos) << error(text);
+}
+
 }  // namespace
 }  // namespace tyndall

@@ -64,3 +64,10 @@ find_path(OSD_INCLUDE_DIR opensubdiv/version.h REQUIRED)
 add_library(tyndall_osd INTERFACE)
 target_link_libraries(tyndall_osd INTERFACE ${OSD_CPU_LIBRARY})
 target_include_directories(tyndall_osd SYSTEM INTERFACE ${OSD_INCLUDE_DIR})
+
+# OpenVDB's own CMake module asks for Boost libraries that only its optional parts use.
+find_library(OPENVDB_LIBRARY openvdb REQUIRED)
+find_path(OPENVDB_INCLUDE_DIR openvdb/openvdb.h REQUIRED)
+add_library(tyndall_openvdb INTERFACE)
+target_link_libraries(tyndall_openvdb INTERFACE ${OPENVDB_LIBRARY} TBB::tbb)
+target_include_directories(tyndall_openvdb SYSTEM INTERFACE ${OPENVDB_INCLUDE_DIR})

@@ -1,0 +1,104 @@
+#include <openvdb/io/Stream.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/Dense.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <mutex>
+
+#include "core/error.h"
+#include "image/isolated.h"
+#include "image/volume_readers.h"
+
+namespace tyndall {
+namespace {
+
+/// The grids of an OpenVDB file. openvdb::io::File reads on past the end of a broken file, for hours; a stream that
+/// throws there ends it.
+struct VdbFile {
+    const std::filesystem::path& path;
+    openvdb::GridPtrVecPtr grids;
+
+    explicit VdbFile(const std::filesystem::path& from) : path(from) {
+        static std::once_flag initialised;
+        std::call_once(initialised, [] { openvdb::initialize(); });
+        std::ifstream stream(path, std::ios::binary);
+        stream.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
+        try {
+            grids = openvdb::io::Stream(stream, false).getGrids();
+        } catch (const std::ios::failure&) {
+            fail("the file is cut off, corrupt, or cannot be read");
+        }
+    }
+
+    [[noreturn]] void fail(std::string message, std::string expected = {}, std::string suggestion = {}) const {
+        throw Error(Diagnostic{{path.string()}, std::move(message), std::move(expected), std::move(suggestion)});
+    }
+
+    [[nodiscard]] openvdb::FloatGrid::Ptr grid(const std::string& name) const {
+        const auto found = std::ranges::find_if(*grids, [&](const auto& grid) { return grid->getName() == name; });
+        if (found == grids->end()) fail_missing(name);
+        const openvdb::GridBase::Ptr& base = *found;
+        auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(base);
+        if (!grid) fail("the grid '" + name + "' is of type " + base->type(), "a grid of floats");
+        if (grid->getGridClass() == openvdb::GRID_LEVEL_SET)
+            fail("the grid '" + name + "' is a level set: it holds distances", "a fog volume, which holds densities");
+        if (!grid->transform().isLinear())
+            fail("the grid '" + name + "' lies in a frustum", "a grid of voxels that are all alike");
+        return grid;
+    }
+
+ private:
+    [[noreturn]] void fail_missing(const std::string& name) const {
+        std::vector<std::string> names;
+        std::string all;
+        for (const auto& grid : *grids) {
+            names.push_back(grid->getName());
+            all += (all.empty() ? "" : ", ") + grid->getName();
+        }
+        fail("there is no grid '" + name + "'", all.empty() ? "a file with grids" : "one of: " + all,
+             nearest_name(name, names));
+    }
+};
+
+/// How a Volume crosses from one process to the other, before its values.
+struct Header {
+    glm::ivec3 size;
+    glm::vec3 voxel_m;
+};
+
+std::string read_grid(const std::filesystem::path& path, const std::string& name) {
+    const VdbFile file(path);
+    const openvdb::FloatGrid::Ptr grid = file.grid(name);
+    const openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
+    if (box.empty()) file.fail("the grid '" + name + "' is empty");
+    const auto extent = [&](int axis) { return int64_t{box.max()[axis]} - int64_t{box.min()[axis]} + 1; };
+    check_volume_size(path, extent(0), extent(1), extent(2));
+    const openvdb::Vec3d voxel = grid->voxelSize();
+    Header header{glm::ivec3(extent(0), extent(1), extent(2)), glm::vec3(voxel.x(), voxel.y(), voxel.z())};
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(header.voxel_m[axis] > 0.0f && header.voxel_m[axis] < 1e9f))
+            file.fail("the voxels of grid '" + name + "' have no size");
+    std::string bytes(sizeof(Header) + sizeof(float) * static_cast<size_t>(extent(0) * extent(1) * extent(2)), '\0');
+    std::memcpy(bytes.data(), &header, sizeof(Header));
+    openvdb::tools::Dense<float, openvdb::tools::LayoutXYZ> dense(
+        box, reinterpret_cast<float*>(bytes.data() + sizeof(Header)));
+    openvdb::tools::copyToDense(*grid, dense, true);  // true: on this thread alone
+    return bytes;
+}
+
+}  // namespace
+
+Volume load_vdb(const std::filesystem::path& path, std::string_view name) {
+    const std::string bytes = run_isolated(path, [&] { return read_grid(path, std::string(name)); });
+    Header header{};
+    if (bytes.size() < sizeof(Header)) throw Error(Diagnostic{{path.string()}, "reading it gave nothing", {}, {}});
+    std::memcpy(&header, bytes.data(), sizeof(Header));
+    Volume volume{header.size, header.voxel_m, {}};
+    volume.values.resize((bytes.size() - sizeof(Header)) / sizeof(float));
+    std::memcpy(volume.values.data(), bytes.data() + sizeof(Header), volume.values.size() * sizeof(float));
+    return volume;
+}
+
+}  // namespace tyndall
