@@ -73,6 +73,7 @@ TracedWorld::TracedWorld(const RenderScene& scene)
     interiors_.resize(surfaces_.size());
     for (size_t i = 0; i < surfaces_.size(); ++i) {
         passing_ = passing_ || masks_[i] == RayMask::passing;
+        blocking_ = blocking_ || masks_[i] == RayMask::blocking;
         shadowless_ = shadowless_ || masks_[i] == RayMask::shadowless;
         const auto& interior = surfaces_[i].interior;
         if (!interior ||
@@ -139,44 +140,75 @@ Crossing TracedWorld::cross(const SurfacePoint& point, uint32_t surface, const v
     return crossing;
 }
 
+bool TracedWorld::blocked(const Ray& ray, const LightSample& light, float& mis) const {
+    if (blocking_ && geometry_.occluded(ray, RayMask::blocking)) return true;
+    if (shadowless_ && (!light.placed || mis < 1.0f) && geometry_.occluded(ray, RayMask::shadowless)) {
+        if (!light.placed) return true;
+        mis = 1.0f;
+    }
+    return false;
+}
+
+vec3 TracedWorld::passed(const Hit& hit, const SurfacePoint& point, const vec3& direction) const {
+    const Surface& surface = surfaces_[hit.surface];
+    if (!surface.casts_shadow) return vec3(1.0f);
+    const MaterialPoint material = material_at(*surface.material, point);
+    vec3 through(1.0f - material.opacity);
+    if (material.thin_transmission > 0.0f && material.opacity > 0.0f) {
+        const vec3 n = glm::dot(material.normal, direction) < 0.0f ? material.normal : -material.normal;
+        through += material.opacity * StandardBsdf(material, albedo_.get(), n, -direction).base_transmission();
+    }
+    return through;
+}
+
 vec3 TracedWorld::visibility(const SurfacePoint* leaving, const vec3& place, const LightSample& light, Nesting nesting,
                              float mis, Sampler& sampler) const {
     Ray ray{leaving ? offset_origin(*leaving, light.direction) : place, light.direction, light.distance_m};
-    if (geometry_.occluded(ray, RayMask::blocking)) return vec3(0.0f);
-    if (shadowless_ && (!light.placed || mis < 1.0f) && geometry_.occluded(ray, RayMask::shadowless)) {
-        if (!light.placed) return vec3(0.0f);
-        mis = 1.0f;
-    }
-    vec3 share(mis);
+    vec3 share(1.0f);
+    bool open = false;  // in the air, and nothing blocks the rest of the way
     for (int i = 0; i < 1000; ++i) {
+        if (!open && nesting.empty()) {
+            if (blocked(ray, light, mis)) return vec3(0.0f);
+            open = true;
+        }
+        const SearchLimit limit = open ? SearchLimit{} : search_limit(nesting, sampler);
         Hit hit;
-        const bool met = passing_ && geometry_.intersect(ray, RayMask::passing, hit);
+        Ray leg = ray;
+        leg.far_m = std::min(ray.far_m, limit.metres);
+        const bool met = (!open || passing_) && geometry_.intersect(leg, open ? RayMask::passing : RayMask::all, hit);
+        if (!met && limit.metres < ray.far_m) return vec3(0.0f);
         const float end = met ? hit.distance_m : ray.far_m;
+        share *= limit.weight(end);
         const MediaRay media = this->media(ray, end, nesting);
         if (!media.empty()) share *= media.transmittance(end, sampler);
         // a place that rounding put outside of its mesh would be lit as if the mesh were not there
-        if (!met) return nesting.empty() || std::isfinite(ray.far_m) ? share : vec3(0.0f);
-        const Surface& surface = surfaces_[hit.surface];
-        const SurfacePoint point = surface.interior ? geometry_.flat_point(hit) : geometry_.point(hit);
-        if (surface.interior) {
+        if (!met) return nesting.empty() || std::isfinite(ray.far_m) ? share * mis : vec3(0.0f);
+        const RayMask kind = masks_[hit.surface];
+        if (kind == RayMask::blocking || (kind == RayMask::shadowless && !light.placed)) return vec3(0.0f);
+        if (kind == RayMask::shadowless) mis = 1.0f;
+        const bool boundary = surfaces_[hit.surface].interior.has_value();
+        const SurfacePoint point = boundary ? geometry_.flat_point(hit) : geometry_.point(hit);
+        if (boundary) {
             const Crossing crossing = cross(point, hit.surface, ray.direction, nesting);
             if (crossing.eta != 1.0f) return vec3(0.0f);
             nesting = crossing.beyond;
-        } else if (surface.casts_shadow) {
-            const MaterialPoint material = material_at(*surface.material, point);
-            vec3 through(1.0f - material.opacity);
-            if (material.thin_transmission > 0.0f && material.opacity > 0.0f) {
-                const vec3 n = glm::dot(material.normal, ray.direction) < 0.0f ? material.normal : -material.normal;
-                through +=
-                    material.opacity * StandardBsdf(material, albedo_.get(), n, -ray.direction).base_transmission();
-            }
-            share *= through;
+        } else if (kind == RayMask::passing) {
+            share *= passed(hit, point, ray.direction);
             if (share == vec3(0.0f)) return share;
         }
         ray.origin = offset_origin(point, ray.direction);
         ray.far_m -= hit.distance_m;
     }
     return vec3(0.0f);
+}
+
+TracedWorld::SearchLimit TracedWorld::search_limit(const Nesting& nesting, Sampler& sampler) const {
+    constexpr float kDepth = 3.0f;
+    const MediumVolume* medium = even_interior(nesting);
+    if (!medium) return {};
+    const float sigma = std::min(medium->sigma_t.x, std::min(medium->sigma_t.y, medium->sigma_t.z));
+    if (!(sigma > 0.0f)) return {};
+    return {(kDepth - std::log(1.0f - sampler.next_independent())) / sigma, kDepth / sigma, sigma};
 }
 
 }  // namespace tyndall::reference

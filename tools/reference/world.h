@@ -2,7 +2,8 @@
 /// A RenderScene made ready for tracing, and the questions that paths ask of it.
 
 #include <array>
-#include <atomic>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -66,6 +67,20 @@ class TracedWorld {
                                        Nesting nesting, float mis, Sampler& sampler) const;
 
  private:
+    /// How far a shadow ray inside a dense interior looks for the way out. Few lengths are traced beyond three mean
+    /// free paths, and count for the others: little light comes from there.
+    struct SearchLimit {
+        float metres = std::numeric_limits<float>::infinity();
+        float certain_m = std::numeric_limits<float>::infinity();  ///< up to here every ray looks
+        float sigma = 0.0f;
+        /// One over the probability of looking as far as this.
+        [[nodiscard]] float weight(float at) const {
+            return at <= certain_m ? 1.0f : std::exp(sigma * (at - certain_m));
+        }
+    };
+    [[nodiscard]] SearchLimit search_limit(const Nesting& nesting, Sampler& sampler) const;
+    [[nodiscard]] bool blocked(const Ray& ray, const LightSample& light, float& mis) const;
+    [[nodiscard]] glm::vec3 passed(const Hit& hit, const SurfacePoint& point, const glm::vec3& direction) const;
     [[nodiscard]] Nesting nesting_at(const glm::vec3& point) const;
 
     std::vector<Surface> surfaces_;
@@ -76,7 +91,7 @@ class TracedWorld {
     std::unique_ptr<GgxAlbedo> albedo_;
     std::vector<std::unique_ptr<MediumVolume>> air_;
     std::vector<std::unique_ptr<MediumVolume>> interiors_;  ///< by surface; null = clear or none
-    bool passing_ = false, shadowless_ = false;
+    bool passing_ = false, blocking_ = false, shadowless_ = false;
     Nesting camera_nesting_;
 };
 
