@@ -18,7 +18,9 @@
 namespace tyndall {
 namespace {
 
-constexpr rlim_t kMemory = rlim_t{4} << 30;
+// What a process may take: the largest volume, and what a file of its size unfolds to at most.
+constexpr rlim_t kMemory = rlim_t{5} << 28;
+constexpr rlim_t kMemoryPerByte = 64;
 constexpr rlim_t kSeconds = 300;
 constexpr int kDone = 0, kFailed = 1;  // exit codes; anything else is a crash
 
@@ -65,22 +67,25 @@ void limit(int resource, rlim_t most) {
 }
 
 /// Bounds what the process may take, and silences the last words of libraries that crash.
-void confine() {
+void confine([[maybe_unused]] const std::filesystem::path& file) {
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, kSeconds);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which reserve terabytes
+    std::error_code unknown;
+    const uintmax_t size = std::filesystem::file_size(file, unknown);
     rlim_t pages = 0;
     if (std::ifstream("/proc/self/statm") >> pages)
-        limit(RLIMIT_AS, pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + kMemory);
+        limit(RLIMIT_AS,
+              pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + kMemory + kMemoryPerByte * (unknown ? 0 : size));
 #endif
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (nowhere >= 0) dup2(nowhere, STDERR_FILENO);
 }
 
 /// The child's whole life: bytes, or the parts of a Diagnostic.
-int work_and_write(const SharedFile& shared, FunctionRef<std::string()> work) {
+int work_and_write(const SharedFile& shared, const std::filesystem::path& file, FunctionRef<std::string()> work) {
     try {
-        confine();
+        confine(file);
         return shared.write(work()) ? kDone : kFailed + 1;
     } catch (const Error& error) {
         const Diagnostic& first = error.diagnostics().front();
@@ -106,7 +111,7 @@ std::string run_isolated(const std::filesystem::path& file, FunctionRef<std::str
     const SharedFile shared(file);
     const pid_t child = fork();
     if (child < 0) fail_system(file, "fork");
-    if (child == 0) _exit(work_and_write(shared, work));
+    if (child == 0) _exit(work_and_write(shared, file, work));
     const int status = wait_for(child, file);
     if (!WIFEXITED(status) || (WEXITSTATUS(status) != kDone && WEXITSTATUS(status) != kFailed))
         fail(file, "the file is corrupt: its reader crashed, or took too much memory or time");

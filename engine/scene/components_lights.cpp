@@ -1,5 +1,6 @@
 #include "ecs/transform.h"
 #include "scene/components.h"
+#include "scene/scattering_components.h"
 
 namespace tyndall {
 namespace {
@@ -122,6 +123,7 @@ void add_engine_components(ComponentRegistry& registry) {
     registry.add<GltfComponent>();
     registry.add<MeshComponent>();
     registry.add<MaterialComponent>();
+    registry.add<InteriorComponent>();
     registry.add<ColliderComponent>();
     registry.add<DirectionalLightComponent>();
     registry.add<SpotLightComponent>();

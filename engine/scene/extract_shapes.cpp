@@ -5,6 +5,7 @@
 #include "scene/components.h"
 #include "scene/engine_extraction.h"
 #include "scene/primitives.h"
+#include "scene/scattering_components.h"
 
 namespace tyndall {
 namespace {
@@ -178,6 +179,20 @@ struct PlacedGltf {
     }
 };
 
+/// What is in a surface whose mesh, material and transform are there: what the entity's component says, or its
+/// material.
+std::optional<ScatteringInterior> interior_of(const ExtractContext& context, const Surface& surface) {
+    if (const auto* component = context.world.find<InteriorComponent>(context.entity))
+        return make_interior(*component, context.assets, surface.mesh->mesh.bounds, surface.transform);
+    return interior_of_material(*surface.material);
+}
+
+/// An interior by itself is a mistake; meshes take theirs along.
+void check_interior(const ExtractContext& context, const InteriorComponent&, RenderScene&) {
+    if (!context.world.find<MeshComponent>(context.entity) && !context.world.find<GltfComponent>(context.entity))
+        throw Error("an interior needs a mesh or a gltf on the same entity");
+}
+
 /// What the extractors of shapes share.
 struct ShapeState {
     Materials materials;
@@ -194,6 +209,7 @@ struct ShapeState {
         surface.bounds = surface.mesh->mesh.bounds.transformed(context.transform);
         surface.casts_shadow = from.casts_shadow;
         surface.collides = collides(context.world, context.entity);
+        surface.interior = interior_of(context, surface);
         surface.entity = context.entity;
         scene.surfaces.push_back(std::move(surface));
     }
@@ -218,6 +234,7 @@ struct ShapeState {
                 surface.bounds = primitive.mesh->mesh.bounds.transformed(transform);
                 surface.casts_shadow = place.casts_shadow[i];
                 surface.collides = walls;
+                surface.interior = interior_of(context, surface);
                 surface.entity = context.entity;
                 scene.surfaces.push_back(std::move(surface));
             }
@@ -247,6 +264,7 @@ void add_shape_extractors(Extractors& extractors) {
                                  [state](const ExtractContext& context, const GltfComponent& from, RenderScene& scene) {
                                      state->extract_gltf(context, from, scene);
                                  });
+    add_extractor<InteriorComponent>(extractors, check_interior);
 }
 
 void register_engine_components(ComponentRegistry& registry, Extractors& extractors) {

@@ -137,6 +137,80 @@ TEST_F(Extraction, MaterialsAreMadeOnceForEachContent) {
     EXPECT_EQ(ball().mesh, before.mesh);
 }
 
+TEST_F(Extraction, InteriorsComeInPerMetreWhateverTheirOptics) {
+    const auto interior = [&](const std::string& component) {
+        for (const Entity entity : world_.entities()) world_.destroy(entity);
+        load(R"({ "transform": { "scale": 2 }, "mesh": { "primitive": "sphere" }, "interior": )" + component + " }");
+        const std::vector<std::string> problems = extract();
+        EXPECT_TRUE(problems.empty()) << problems.front();
+        return scene_.surfaces.at(0).interior.value();
+    };
+    const auto expect_near = [](const glm::vec3& value, const glm::vec3& expected) {
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(value[i], expected[i], 1e-4f * std::max(expected[i], 1.0f));
+    };
+    ScatteringInterior made = interior(R"({ "preset": "potato", "priority": 3 })");
+    expect_near(made.sigma_s_per_m, {680, 700, 550});
+    expect_near(made.sigma_a_per_m, {2.4f, 9, 120});
+    EXPECT_EQ(made.eta, 1.3f);
+    EXPECT_EQ(made.priority, 3);
+    EXPECT_EQ(made.phase.kind, PhaseKind::isotropic);
+    made = interior(R"({ "preset": "potato", "phase": { "henyey_greenstein": { "g": 0.9 } } })");
+    expect_near(made.sigma_s_per_m, {6800, 7000, 5500});
+    made = interior(R"({ "optics": { "coefficients_per_m": { "scattering": [1, 2, 3], "absorption": [4, 5, 6] } },
+                         "phase": { "henyey_greenstein": { "g": 0.9 } }, "ior": 1, "roughness": 0.5,
+                         "emission_cd_m2_per_m": [7, 8, 9] })");
+    EXPECT_EQ(made.sigma_s_per_m, glm::vec3(1, 2, 3)) << "not reduced";
+    EXPECT_EQ(made.sigma_a_per_m, glm::vec3(4, 5, 6));
+    EXPECT_EQ(made.emission_cd_m2_per_m, glm::vec3(7, 8, 9));
+    EXPECT_EQ(made.eta, 1.0f);
+    EXPECT_EQ(made.roughness, 0.5f);
+    made = interior(R"({ "optics": { "albedo": { "albedo": [0.9, 0.5, 0], "mean_free_path_mm": [1, 2, 4] } } })");
+    expect_near(made.sigma_s_per_m, {900, 250, 0});
+    expect_near(made.sigma_a_per_m, {100, 250, 250});
+    made = interior(R"({ "optics": { "transmission_colour": { "colour": [0.5, 1, 0.25], "at_m": 0.1 } } })");
+    expect_near(made.sigma_a_per_m, {6.93147f, 0, 13.86294f});
+    EXPECT_EQ(made.sigma_s_per_m, glm::vec3(0));
+}
+
+TEST_F(Extraction, AnInteriorsVolumeFillsTheMesh) {
+    std::ofstream(folder_ / "v.raw", std::ios::binary) << std::string(8, '\xff');
+    std::ofstream(folder_ / "v.json") << R"({ "raw": "v.raw", "type": "u8", "size": [2, 4, 1], "voxel_m": [1, 1, 1] })";
+    const auto corner = [&](const std::string& fit) {
+        for (const Entity entity : world_.entities()) world_.destroy(entity);
+        load(R"({ "transform": { "scale": [8, 8, 2] }, "mesh": { "primitive": "box" },
+                  "interior": { "density": { "volume": { "file": "v.json", "scale": 3, "fit": ")" +
+             fit + R"(" } } } })");
+        EXPECT_TRUE(extract().empty());
+        const auto& grid = std::get<GridDensity>(scene_.surfaces.at(0).interior.value().density);
+        EXPECT_EQ(grid.scale, 3.0f);
+        return grid.to_volume * glm::vec4(0.25f, 0.5f, 0.5f, 1.0f);
+    };
+    EXPECT_EQ(corner("stretch"), glm::vec4(0.75f, 1, 1, 1));
+    EXPECT_EQ(corner("contain"), glm::vec4(1, 1, 1, 1)) << "4 x 8 x 2 m of the 8 x 8 x 2 m";
+}
+
+TEST_F(Extraction, OnlyMeshesHaveInteriorsAndClearMaterialsMakeTheirOwn) {
+    load(R"({ "name": "Nothing", "interior": {} },
+            { "mesh": { "primitive": "sphere" },
+              "material": { "transmission": 1, "thickness_m": 0.1, "ior": 1.4, "roughness": 0.2,
+                            "attenuation_colour": [0.5, 1, 1], "attenuation_distance_m": 0.5 } },
+            { "mesh": { "primitive": "sphere" }, "material": { "transmission": 1 } },
+            { "mesh": { "primitive": "sphere" }, "interior": { "phase": { "tabulated": { "file": "none.txt" } } } })");
+    const std::vector<std::string> problems = extract();
+    ASSERT_EQ(problems.size(), 2u);
+    EXPECT_NE((problems[0] + problems[1]).find("needs a mesh"), std::string::npos);
+    EXPECT_NE((problems[0] + problems[1]).find("none.txt"), std::string::npos);
+    ASSERT_EQ(scene_.surfaces.size(), 2u);
+    std::vector<ScatteringInterior> made;
+    for (const Surface& surface : scene_.surfaces)
+        if (surface.interior) made.push_back(*surface.interior);
+    ASSERT_EQ(made.size(), 1u) << "without a thickness it is a thin wall";
+    EXPECT_NEAR(made[0].sigma_a_per_m.x, std::log(2.0f) / 0.5f, 1e-5f);
+    EXPECT_EQ(made[0].sigma_a_per_m.y, 0.0f);
+    EXPECT_EQ(made[0].eta, 1.4f);
+    EXPECT_EQ(made[0].roughness, 0.2f);
+}
+
 TEST_F(Extraction, ErrorsAreReportedOnceAndLeaveTheEntityOut) {
     load(
         R"({ "name": "Broken", "mesh": { "file": "none.obj" } }, { "name": "Fine", "mesh": { "primitive": "plane" } })");

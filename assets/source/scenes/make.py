@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the small pictures, light probes and the glTF sample of assets/scenes/. Needs nothing but Python; the results are committed.
+"""Makes the small pictures, light probes, the glTF sample and the volume of assets/scenes/. Needs nothing but Python; the results are committed.
 
 usage: assets/source/scenes/make.py
 """
@@ -168,7 +168,41 @@ def write_gltf():
     (OUT / "sample.gltf").write_text(json.dumps(gltf, indent=1) + "\n")
 
 
+def lattice_noise(x, y, z):
+    """Smooth noise in [0, 1] from hashed lattice values."""
+    def corner(i, j, k):
+        h = (i * 0x9E3779B1 ^ j * 0x85EBCA6B ^ k * 0xC2B2AE35) & 0xFFFFFFFF
+        h = ((h ^ h >> 15) * 0x2C1B3C6D) & 0xFFFFFFFF
+        h = ((h ^ h >> 12) * 0x297A2D39) & 0xFFFFFFFF
+        return (h ^ h >> 15) / 0xFFFFFFFF
+
+    i, j, k = math.floor(x), math.floor(y), math.floor(z)
+    u, v, w = (t * t * (3 - 2 * t) for t in (x - i, y - j, z - k))
+    return sum((u if a else 1 - u) * (v if b else 1 - v) * (w if c else 1 - w) * corner(i + a, j + b, k + c)
+               for a in (0, 1) for b in (0, 1) for c in (0, 1))
+
+
+def plume(x, y, z):
+    """Smoke that rises from (0, 0, 0) to y = 1, swaying and widening: density in [0, 1]."""
+    sway = 0.06 * math.sin(7 * y) * y, 0.05 * math.cos(6 * y + 1) * y
+    width = 0.03 + 0.13 * y
+    distance = math.hypot(x - sway[0], z - sway[1]) / width
+    noise = sum(lattice_noise(*(9 * 2**o * t for t in (x, 0.7 * y, z))) / 2**o for o in range(4)) / 1.875
+    core = math.exp(-distance * distance) * min(1, 12 * y) * (1 - y) ** 0.5
+    return min(1.0, max(0.0, 2.2 * core + 1.6 * (noise - 0.62) * min(1, 3 * core)))
+
+
+def write_plume(name, nx, ny, nz):
+    """A raw volume of bytes and its description."""
+    values = bytes(int(255 * plume((i + 0.5) / nx * 0.5 - 0.25, (j + 0.5) / ny, (k + 0.5) / nz * 0.5 - 0.25) + 0.5)
+                   for k in range(nz) for j in range(ny) for i in range(nx))
+    (OUT / "volumes" / f"{name}.raw").write_bytes(values)
+    description = {"about": "A plume of smoke.", "raw": f"{name}.raw", "type": "u8", "size": [nx, ny, nz], "voxel_m": [1 / ny] * 3}
+    (OUT / "volumes" / f"{name}.json").write_text(json.dumps(description) + "\n")
+
+
 (OUT / "textures").mkdir(exist_ok=True)
+(OUT / "volumes").mkdir(exist_ok=True)
 write_png("tiles.png", 64, 64, tiles)
 write_png("leaf.png", 64, 64, leaf)
 write_png("window.png", 64, 64, window)
@@ -177,3 +211,4 @@ write_png("tilted_normal.png", 16, 16, tilted_normal)
 write_hdr("uniform.hdr", 16, 8, lambda u, v: (1.0, 1.0, 1.0))
 write_hdr("evening.hdr", 128, 64, evening)
 write_gltf()
+write_plume("plume", 48, 96, 48)

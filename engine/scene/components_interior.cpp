@@ -1,0 +1,109 @@
+#include <cmath>
+
+#include "scene/scattering_components.h"
+
+namespace tyndall {
+namespace {
+
+/// The absorption that leaves `colour` of white light after a distance; none for a distance of 0, which means infinite.
+glm::vec3 absorption_from_colour(const glm::vec3& colour, float distance_m) {
+    if (!(distance_m > 0.0f) || std::isinf(distance_m)) return glm::vec3(0.0f);
+    return -glm::log(glm::clamp(colour, glm::vec3(1e-6f), glm::vec3(1.0f))) / distance_m;
+}
+
+template <int PerMetre>
+void set_optics(const Coefficients<PerMetre>& from, ScatteringInterior& to) {
+    constexpr float kPerM = PerMetre;
+    to.sigma_a_per_m = kPerM * from.absorption;
+    to.sigma_s_per_m = kPerM * from.scattering;
+    if (from.reduced) to.sigma_s_per_m /= glm::max(1.0f - mean_cosine(to.phase), glm::vec3(1e-3f));
+}
+
+void set_optics(const AlbedoOptics& from, ScatteringInterior& to) {
+    const glm::vec3 extinction = 1000.0f / from.mean_free_path_mm;
+    to.sigma_s_per_m = from.albedo * extinction;
+    to.sigma_a_per_m = extinction - to.sigma_s_per_m;
+}
+
+void set_optics(const TransmissionColourOptics& from, ScatteringInterior& to) {
+    to.sigma_a_per_m = absorption_from_colour(from.colour, from.at_m);
+}
+
+template <int PerMetre>
+void describe_coefficients(StructBuilder<Coefficients<PerMetre>>& d, const char* unit) {
+    using C = Coefficients<PerMetre>;
+    const double most = 1e9 / PerMetre;
+    d.field("scattering", &C::scattering, "Scattering coefficient per channel.").unit(unit).range(0.0, most);
+    d.field("absorption", &C::absorption, "Absorption coefficient per channel.").unit(unit).range(0.0, most);
+    d.field("reduced", &C::reduced,
+            "The scattering is the reduced one of most tables: it is divided by 1 - the phase's mean cosine.");
+}
+
+}  // namespace
+
+void describe(StructBuilder<CoefficientsPerM>& d) {
+    d.doc("Coefficients per metre.");
+    describe_coefficients(d, "1/m");
+}
+
+void describe(StructBuilder<CoefficientsPerMm>& d) {
+    d.doc("Coefficients per millimetre, as tables of materials have them.");
+    describe_coefficients(d, "1/mm");
+}
+
+void describe(StructBuilder<AlbedoOptics>& d) {
+    d.doc("The share that a collision scatters, and how far light goes between collisions.");
+    d.field("albedo", &AlbedoOptics::albedo, "Single-scattering albedo per channel.").range(0.0, 1.0);
+    d.field("mean_free_path_mm", &AlbedoOptics::mean_free_path_mm, "1 / (scattering + absorption) per channel.")
+        .unit("mm")
+        .range(1e-6, 1e9);
+}
+
+void describe(StructBuilder<TransmissionColourOptics>& d) {
+    d.doc("Clear and coloured, as glass: what is left of white light after a distance. Scatters nothing.");
+    d.field("colour", &TransmissionColourOptics::colour, "White light after at_m.").range(0.0, 1.0).colour();
+    d.field("at_m", &TransmissionColourOptics::at_m, "The distance.").unit("m").range(1e-6, 1e6);
+}
+
+void describe(StructBuilder<InteriorComponent>& d) {
+    using I = InteriorComponent;
+    d.doc(
+        "What is inside the entity's closed meshes (its mesh, or all of its gltf), behind a dielectric boundary that "
+        "takes the place of the material. The reference path tracer shows it.");
+    d.field("optics", &I::optics, "What scatters and absorbs.",
+            {"coefficients_per_mm", "coefficients_per_m", "albedo", "transmission_colour"});
+    d.field("phase", &I::phase, "How scattered light is spread over directions.", phase_names());
+    d.field("density", &I::density, "Multiplies the coefficients; places are in the mesh's space.", density_names());
+    d.field("emission_cd_m2_per_m", &I::emission_cd_m2_per_m, "Radiance given off per metre.")
+        .unit("cd/m2/m")
+        .range(0.0, 1e12);
+    d.field("ior", &I::ior, "Index of refraction; 1 lets light pass the boundary unbent.").range(1.0, 4.0);
+    d.field("roughness", &I::roughness, "Perceptual roughness of the boundary; 0 = smooth.").range(0.0, 1.0);
+    d.field("priority", &I::priority, "Where interiors overlap, the highest is there and the others are not.")
+        .range(-1000, 1000);
+}
+
+ScatteringInterior make_interior(const InteriorComponent& from, AssetStore& assets, const Bounds& box,
+                                 const glm::mat4& local_to_world) {
+    ScatteringInterior interior;
+    interior.phase = make_phase(from.phase, assets);
+    std::visit([&](const auto& optics) { set_optics(optics, interior); }, from.optics);
+    interior.emission_cd_m2_per_m = from.emission_cd_m2_per_m;
+    interior.density = make_density(from.density, assets, box, local_to_world);
+    interior.eta = from.ior;
+    interior.roughness = from.roughness;
+    interior.priority = from.priority;
+    return interior;
+}
+
+std::optional<ScatteringInterior> interior_of_material(const Material& material) {
+    if (material.transmission != 1.0f || material.transmission_texture.texture || !(material.thickness_m > 0.0f))
+        return std::nullopt;
+    ScatteringInterior interior;
+    interior.sigma_a_per_m = absorption_from_colour(material.attenuation_colour, material.attenuation_distance_m);
+    interior.eta = material.ior;
+    interior.roughness = material.roughness;
+    return interior;
+}
+
+}  // namespace tyndall
