@@ -43,8 +43,8 @@ def ended_well(t, done, what):
 with Tests() as t:
     seed = int(sys.argv[2]) if len(sys.argv) > 2 else 1
     dice = random.Random(seed)
-    scenes = [(SCENES / name).read_bytes() for name in ("still_life.json", "s1_fog_spot.json")]
-    files = [t.file(f"scene{i}.json", mutated(scenes[i % 2], dice)) for i in range(200)]
+    scenes = [(SCENES / name).read_bytes() for name in ("still_life.json", "s1_fog_spot.json", "s4_hetero.json", "s3_sphere_potato_dielectric.json")]
+    files = [t.file(f"scene{i}.json", mutated(scenes[i % len(scenes)], dice)) for i in range(200)]
     done = t.run("validate", *files)
     ended_well(t, done, f"200 scenes, seed {seed}")
     if done is not None:

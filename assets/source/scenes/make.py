@@ -185,10 +185,10 @@ def lattice_noise(x, y, z):
 def plume(x, y, z):
     """Smoke that rises from (0, 0, 0) to y = 1, swaying and widening: density in [0, 1]."""
     sway = 0.06 * math.sin(7 * y) * y, 0.05 * math.cos(6 * y + 1) * y
-    width = 0.03 + 0.13 * y
+    width = 0.025 + 0.085 * y
     distance = math.hypot(x - sway[0], z - sway[1]) / width
     noise = sum(lattice_noise(*(9 * 2**o * t for t in (x, 0.7 * y, z))) / 2**o for o in range(4)) / 1.875
-    core = math.exp(-distance * distance) * min(1, 12 * y) * (1 - y) ** 0.5
+    core = math.exp(-distance * distance) * min(1, 12 * y) * min(1, 1.8 * (1 - y)) ** 2
     return min(1.0, max(0.0, 2.2 * core + 1.6 * (noise - 0.62) * min(1, 3 * core)))
 
 
