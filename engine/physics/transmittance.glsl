@@ -60,4 +60,25 @@ FN float height_fog_optical_depth(float sigma_t, float base, float scale_height,
     return sigma_t * ds * exp((base - lowest) / scale_height) * mean_transmittance(drop);
 }
 
+/// The error function (Abramowitz & Stegun 1964, 7.1.26), absolute error below 5e-7 in 32 bits.
+FN float error_function(float x) {
+    float a = abs(x);
+    float t = 1.0f / (1.0f + 0.3275911f * a);
+    float tail = t * (0.254829592f + t * (-0.284496736f + t * (1.421413741f + t * (-1.453152027f + t * 1.061405429f)))) *
+                 exp(-a * a);
+    return x < 0.0f ? tail - 1.0f : 1.0f - tail;
+}
+
+/// Integral of exp(-|p - center|^2 / (2 radius^2)) over the part [t0, t1] of the ray p = origin + t direction. The
+/// direction need not be a unit vector: with one in a medium's own space and t in metres, the result is in metres.
+FN float gaussian_line_integral(vec3 origin, vec3 direction, vec3 center, float radius, float t0, float t1) {
+    float speed = max(length(direction), 1e-20f);
+    vec3 offset = origin - center;
+    float foot = dot(offset, direction) / speed;
+    vec3 aside = offset - direction * (foot / speed);
+    float scale = 0.70710678f / radius;
+    float along = error_function((t1 * speed + foot) * scale) - error_function((t0 * speed + foot) * scale);
+    return exp(-dot(aside, aside) * scale * scale) * 1.25331414f * radius / speed * along;
+}
+
 #endif

@@ -137,5 +137,34 @@ TEST(Airlight, EquiAngularEstimatesWithoutBias) {
     EXPECT_TRUE(std::isfinite(t) && std::isfinite(pdf) && pdf > 0);
 }
 
+TEST(Gaussian, ErrorFunctionIsTheStandardOne) {
+    double worst = 0;
+    for (double x = -6; x <= 6; x += 0.001)
+        worst = std::max(worst, std::abs(double(error_function(float(x))) - std::erf(double(float(x)))));
+    EXPECT_LT(worst, 5e-7);
+    measured("error function, worst absolute error", worst);
+}
+
+TEST(Gaussian, LineIntegralAgreesWithQuadrature) {
+    Random random(9);
+    double worst = 0;
+    for (int i = 0; i < 300; ++i) {
+        const vec3 origin = 2.0f * random.direction(), direction = random.direction() * (0.2f + random());
+        const vec3 center = 0.5f * random.direction();
+        const float radius = 0.05f + 0.3f * random(), t0 = 2.0f * random(), t1 = t0 + 3.0f * random();
+        double sum = 0;
+        constexpr int kSteps = 4000;
+        for (int k = 0; k < kSteps; ++k) {
+            const double t = double(t0) + (k + 0.5) / kSteps * double(t1 - t0);
+            const dvec3 p = dvec3(origin) + t * dvec3(direction) - dvec3(center);
+            sum += std::exp(-dot(p, p) / (2.0 * double(radius) * double(radius))) * double(t1 - t0) / kSteps;
+        }
+        const double found = double(gaussian_line_integral(origin, direction, center, radius, t0, t1));
+        worst = std::max(worst, std::abs(found - sum) / double(radius) * double(length(direction)));
+    }
+    EXPECT_LT(worst, 3e-6);
+    measured("line integral of a Gaussian, worst error in its radii", worst);
+}
+
 }  // namespace
 }  // namespace tyndall::physics
