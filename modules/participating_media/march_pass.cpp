@@ -47,7 +47,20 @@ void MarchPass::execute(PassContext& context) {
     for (auto& [key, programs] : programs_) programs.begin();
     for (size_t light = 0; light < frame.scene.lights.size(); ++light)
         for (size_t medium = 0; medium < media.size(); ++medium) draw_light(context, light, static_cast<int>(medium));
+    for (size_t medium = 0; medium < media.size(); ++medium)
+        if (media[medium].emission_cd_m2_per_m != glm::vec3(0.0f)) draw_emission(context, static_cast<int>(medium));
     glDisable(GL_BLEND);
+}
+
+void MarchPass::draw_emission(PassContext& context, int medium) {
+    static const gpu::ProgramDesc kDesc{.name = "participating_media.emission",
+                                        .fragment = "participating_media/emission.frag"};
+    const gpu::Program& program = context.frame().shaders.program(kDesc);
+    program.use();
+    bind_frame(program, context.frame());
+    bind_march(program, context);
+    program.set("medium", medium);
+    gpu::draw_fullscreen();
 }
 
 void MarchPass::draw_distance(PassContext& context) {
@@ -66,21 +79,27 @@ void MarchPass::draw_light(PassContext& context, size_t light, int medium) {
     const ScreenRectangle rectangle = light_rectangle(frame.scene.lights[light], frame.block.view_projection, size);
     if (rectangle.empty()) return;
     const gpu::Program& program =
-        programs(media_->media()[static_cast<size_t>(medium)].phase.kind).use(frame, light, [&](const gpu::Program& fresh) {
-            bind_common(fresh, context);
-            frame.seams.bind(Seam::light_transmittance, fresh, context);
-            media_->bind(fresh);
-            fresh.texture("blue_noise", blue_noise_,
-                          {.filter = gpu::Filter::nearest, .wrap_u = gpu::Wrap::repeat, .wrap_v = gpu::Wrap::repeat});
-            fresh.set("steps", settings_.steps);
-            fresh.set("fixed_offset", settings_.jitter ? -1.0f : 0.5f);
-        });
+        programs(media_->media()[static_cast<size_t>(medium)].phase.kind)
+            .use(frame, light, [&](const gpu::Program& fresh) {
+                frame.seams.bind(Seam::light_transmittance, fresh, context);
+                bind_march(fresh, context);
+                fresh.texture("phase_tables", media_->phase_tables(), {.filter = gpu::Filter::linear});
+            });
     program.set("light_index", static_cast<unsigned>(light));
     program.set("medium", medium);
     glEnable(GL_SCISSOR_TEST);
     glScissor(rectangle.low.x, rectangle.low.y, rectangle.size.x, rectangle.size.y);
     gpu::draw_fullscreen();
     glDisable(GL_SCISSOR_TEST);
+}
+
+void MarchPass::bind_march(const gpu::Program& program, PassContext& context) const {
+    bind_common(program, context);
+    media_->bind(program, settings_.light_steps);
+    program.texture("blue_noise", blue_noise_,
+                    {.filter = gpu::Filter::nearest, .wrap_u = gpu::Wrap::repeat, .wrap_v = gpu::Wrap::repeat});
+    program.set("steps", settings_.steps);
+    program.set("fixed_offset", settings_.jitter ? -1.0f : 0.5f);
 }
 
 void MarchPass::bind_common(const gpu::Program& program, PassContext& context) const {
@@ -91,11 +110,13 @@ void MarchPass::bind_common(const gpu::Program& program, PassContext& context) c
 
 LightPrograms& MarchPass::programs(PhaseKind phase) {
     const bool one = media_->media().size() == 1;
-    const auto key = std::pair(phase, one);
+    const bool even = media_->even();
+    const auto key = std::tuple(phase, one, even);
     if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
     gpu::ProgramDesc desc{.name = "participating_media.march", .fragment = "participating_media/march.frag"};
     desc.defines.push_back(fmt::format("PHASE_KIND {}", static_cast<int>(phase)));
     if (one) desc.defines.emplace_back("ONE_MEDIUM");
+    if (even) desc.defines.emplace_back("EVEN_MEDIA");
     return programs_.try_emplace(key, std::move(desc)).first->second;
 }
 

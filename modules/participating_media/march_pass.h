@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "march_settings.h"
 #include "media_buffer.h"
@@ -28,14 +29,16 @@ class MarchPass final : public Pass {
  private:
     void draw_distance(PassContext& context);
     void draw_light(PassContext& context, size_t light, int medium);
+    void draw_emission(PassContext& context, int medium);
+    void bind_march(const gpu::Program& program, PassContext& context) const;
     void bind_common(const gpu::Program& program, PassContext& context) const;
-    /// Programs for this phase function, and for one medium or several.
+    /// Programs for this phase function, for one medium or several, even ones or any.
     [[nodiscard]] LightPrograms& programs(PhaseKind phase);
 
     std::shared_ptr<MediaBuffer> media_;
     const MarchSettings& settings_;
     gpu::Texture blue_noise_;
-    std::map<std::pair<PhaseKind, bool>, LightPrograms> programs_;
+    std::map<std::tuple<PhaseKind, bool, bool>, LightPrograms> programs_;
 };
 
 /// Averages 3x3 (half resolution: 5x5) marched pixels of like distance: the errors of the blue-noise mask cancel there.

@@ -13,6 +13,7 @@ struct MarchSettings {
     bool enabled = true;
     Resolution resolution = Resolution::full;
     int32_t steps = 12;
+    int32_t light_steps = 8;
     bool jitter = true;
     bool filter = true;
 };
@@ -25,6 +26,9 @@ inline void describe(StructBuilder<MarchSettings>& d) {
     d.field("steps", &MarchSettings::steps,
             "Steps over the part of a ray that lies in a medium and in a light's volume.")
         .range(1, 1024);
+    d.field("light_steps", &MarchSettings::light_steps,
+            "Samples on the way to a light through noise and grids; other densities need none.")
+        .range(1, 256);
     d.field("jitter", &MarchSettings::jitter, "Blue-noise offsets: fine grain instead of bands.");
     d.field("filter", &MarchSettings::filter,
             "Averages 3x3 (at half resolution 5x5) marched pixels of like distance: takes the grain off, softens edges "

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
-#include <string_view>
 
 #include "core/log.h"
 
@@ -14,59 +14,116 @@ namespace {
 
 /// As in shaders/media.glsl.
 struct GpuMedium {
-    glm::mat4 box_from_world;
-    glm::vec4 sigma_s_phase;
-    glm::vec4 sigma_t;
-    glm::vec4 phase_parameters;
+    glm::mat4 box_from_world{1.0f};
+    glm::vec4 sigma_s_phase{0.0f};
+    glm::vec4 sigma_t{0.0f};
+    glm::vec4 phase_parameters{0.0f};
+    glm::vec4 emission_even{0.0f};
+    glm::vec4 blobs_height{0.0f};
+    glm::vec4 sampled{0.0f};
+    glm::vec4 grid_size{0.0f};
+    glm::mat4 field_from_world{1.0f};
 };
-static_assert(sizeof(GpuMedium) == 112);
+static_assert(sizeof(GpuMedium) == 240);
 
-/// What of a medium the shaders cannot render; empty when they can. They know no density but an even one, and no
-/// tables.
-std::string_view obstacle(const Medium& medium) {
-    if (!std::holds_alternative<ConstantDensity>(medium.density)) return "a density that varies";
-    if (medium.phase.kind == PhaseKind::tabulated) return "a tabulated phase function";
-    return {};
+struct GpuBlobs {
+    std::array<glm::vec4, kMaximumBlobs> centre_radius{};
+    std::array<glm::vec4, kMaximumBlobs> weight{};
+};
+
+glm::mat4 features_from_world(const NoiseDensity& noise, double time_s) {
+    const glm::dvec3 moved = -glm::dvec3(noise.wind_m_s) * time_s / static_cast<double>(noise.feature_m);
+    return glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(moved)), glm::vec3(1.0f / noise.feature_m));
 }
 
 }  // namespace
+
+/// What is about to be uploaded.
+struct MediaBuffer::Blocks {
+    std::array<GpuMedium, kMaximumMedia> media;
+    GpuBlobs blobs;
+    size_t blob_count = 0;
+};
 
 void MediaBuffer::warn_once(std::string_view what) {
     if (!warned_.emplace(what).second) return;
     log::warning("participating_media leaves out {}; the path tracer renders it", what);
 }
 
+void MediaBuffer::add(Blocks& blocks, const Medium& medium, const glm::mat4& box, double time_s) {
+    GpuMedium& record = blocks.media[media_.size()];
+    record.box_from_world = glm::inverse(box);
+    record.sigma_s_phase = glm::vec4(medium.sigma_s_per_m, static_cast<float>(medium.phase.kind));
+    record.sigma_t = glm::vec4(medium.sigma_s_per_m + medium.sigma_a_per_m, 0.0f);
+    record.phase_parameters = medium.phase.parameters;
+    const bool constant = std::holds_alternative<ConstantDensity>(medium.density);
+    record.emission_even = glm::vec4(medium.emission_cd_m2_per_m, constant ? 1.0f : 0.0f);
+    if (const auto* height = std::get_if<HeightDensity>(&medium.density)) {
+        record.blobs_height.z = height->base_m;
+        record.blobs_height.w = 1.0f / height->scale_height_m;
+    } else if (const auto* noise = std::get_if<NoiseDensity>(&medium.density)) {
+        record.sampled.x = static_cast<float>(std::clamp(noise->octaves, 1, 16));
+        record.sampled.y = noise->coverage;
+        record.field_from_world = features_from_world(*noise, time_s);
+    } else if (const auto* field = std::get_if<BlobDensity>(&medium.density)) {
+        record.blobs_height.x = static_cast<float>(blocks.blob_count);
+        for (const BlobDensity::Blob& blob : field->blobs) {
+            if (blocks.blob_count == kMaximumBlobs) {
+                warn_once(fmt::format("all blobs after the first {}", kMaximumBlobs));
+                break;
+            }
+            if (!(blob.radius > 0.0f)) continue;
+            blocks.blobs.centre_radius[blocks.blob_count] = glm::vec4(blob.centre, blob.radius);
+            blocks.blobs.weight[blocks.blob_count++].x = blob.weight;
+        }
+        record.blobs_height.y = static_cast<float>(blocks.blob_count);
+    } else if (const auto* grid = std::get_if<GridDensity>(&medium.density); grid && grid->volume) {
+        record.sampled.z = grid->scale;
+        record.grid_size = glm::vec4(grid->volume->volume.size, 0.0f);
+        record.field_from_world = grid->to_volume * record.box_from_world;
+    }
+    even_ = even_ && constant;
+    media_.push_back(medium);
+}
+
 const std::vector<Medium>& MediaBuffer::update(const RenderScene& scene, bool enabled) {
-    std::array<GpuMedium, kMaximumMedia> records;
+    Blocks blocks;
     media_.clear();
+    even_ = true;
     for (const Medium& medium : scene.media) {
         const glm::mat4 box = medium_box(medium, scene);
         if (!enabled || glm::determinant(glm::mat3(box)) == 0.0f) continue;
-        if (const std::string_view what = obstacle(medium); !what.empty()) {
-            warn_once("a medium with " + std::string(what));
-            continue;
-        }
-        if (medium.emission_cd_m2_per_m != glm::vec3(0.0f)) warn_once("the light that a medium gives off");
         if (media_.size() == kMaximumMedia) {
             warn_once(fmt::format("all media after the first {}", kMaximumMedia));
             break;
         }
-        records[media_.size()] = {
-            glm::inverse(box), glm::vec4(medium.sigma_s_per_m, static_cast<float>(medium.phase.kind)),
-            glm::vec4(medium.sigma_s_per_m + medium.sigma_a_per_m, 0.0f), medium.phase.parameters};
-        media_.push_back(medium);
+        add(blocks, medium, box, scene.time_s);
     }
-    const std::string_view bytes(reinterpret_cast<const char*>(records.data()), media_.size() * sizeof(GpuMedium));
-    if (buffer_.name() == 0) buffer_ = gpu::Buffer(sizeof(records), nullptr, "media");
+    textures_.update(media_);
+    for (size_t i = 0; i < media_.size(); ++i)
+        if (const auto* grid = std::get_if<GridDensity>(&media_[i].density); grid && grid->volume)
+            blocks.media[i].sampled.w = static_cast<float>(textures_.first_layer(*grid->volume));
+    const std::string_view media_bytes(reinterpret_cast<const char*>(blocks.media.data()),
+                                       media_.size() * sizeof(GpuMedium));
+    const std::string_view blob_bytes(reinterpret_cast<const char*>(&blocks.blobs), sizeof(blocks.blobs));
+    if (buffer_.name() == 0) {
+        buffer_ = gpu::Buffer(sizeof(blocks.media), nullptr, "media");
+        blobs_ = gpu::Buffer(sizeof(blocks.blobs), nullptr, "media blobs");
+    }
+    std::string bytes = std::string(media_bytes) + std::string(blob_bytes);
     if (bytes == uploaded_) return media_;
-    uploaded_ = bytes;
-    if (!bytes.empty()) buffer_.update(0, bytes.size(), bytes.data());
+    uploaded_ = std::move(bytes);
+    if (!media_bytes.empty()) buffer_.update(0, media_bytes.size(), media_bytes.data());
+    blobs_.update(0, blob_bytes.size(), blob_bytes.data());
     return media_;
 }
 
-void MediaBuffer::bind(const gpu::Program& program) const {
+void MediaBuffer::bind(const gpu::Program& program, int light_steps) const {
     program.block("Media", buffer_);
+    program.block("MediaBlobs", blobs_);
     program.set("media_count", static_cast<int>(media_.size()));
+    program.set("media_light_steps", light_steps);
+    program.texture("media_grids", textures_.grids(), {.filter = gpu::Filter::linear});
 }
 
 }  // namespace tyndall::participating_media

@@ -8,30 +8,39 @@
 #include <vector>
 
 #include "gpu/gpu.h"
+#include "media_textures.h"
 #include "scene/render_scene.h"
 
 namespace tyndall::participating_media {
 
-/// So many media are rendered at once; further ones are left out, with a warning.
+/// So many media are rendered at once, with so many blobs in all; what is beyond is left out, with a warning.
 inline constexpr size_t kMaximumMedia = 16;
+inline constexpr size_t kMaximumBlobs = 64;
 
-/// The uniform block "Media" of shaders/media.glsl. Makes its GL objects when first used.
+/// The uniform blocks of shaders/media.glsl. Makes its GL objects when first used.
 class MediaBuffer {
  public:
-    /// Uploads the scene's media when they changed. Returns those that are rendered; what the shaders cannot render is
-    /// left out, with a warning.
+    /// Uploads the scene's media when they changed. Returns those that are rendered.
     const std::vector<Medium>& update(const RenderScene& scene, bool enabled);
     [[nodiscard]] const std::vector<Medium>& media() const { return media_; }
-    /// Sets the block and the count on a program that includes media.glsl.
-    void bind(const gpu::Program& program) const;
+    /// No density varies.
+    [[nodiscard]] bool even() const { return even_; }
+    /// Sets all that media.glsl declares; `light_steps` are samples through noise and grids.
+    void bind(const gpu::Program& program, int light_steps) const;
+    [[nodiscard]] const gpu::Texture& phase_tables() const { return textures_.phase_tables(); }
 
  private:
+    struct Blocks;
+    void add(Blocks& blocks, const Medium& medium, const glm::mat4& box, double time_s);
+    /// Says once for each text what the module leaves out.
     void warn_once(std::string_view what);
 
-    gpu::Buffer buffer_;
+    gpu::Buffer buffer_, blobs_;
+    MediaTextures textures_;
     std::vector<Medium> media_;
-    std::string uploaded_;  ///< the buffer's bytes
-    std::set<std::string> warned_;
+    bool even_ = true;
+    std::string uploaded_;  ///< the buffers' bytes
+    std::set<std::string, std::less<>> warned_;
 };
 
 }  // namespace tyndall::participating_media

@@ -16,7 +16,7 @@ class ParticipatingMedia final : public Module {
         registrar.pass(std::make_unique<FilterPass>(settings));
         const auto bind_media = [media, &settings](const gpu::Program& program, PassContext& context) {
             media->update(context.frame().scene, settings.enabled);
-            media->bind(program);
+            media->bind(program, settings.light_steps);
         };
         registrar.seam(Seam::light_transmittance, {.name = "participating_media",
                                                    .include = "participating_media/transmittance.glsl",

@@ -3,7 +3,8 @@
 //
 // Each step integrates what can be integrated: for directional lights the transmittance to the eye over the step, for
 // point and spot lights the inverse-square law (steps of equal angle seen from the light: Kulla & Fajardo 2012). The
-// rest is taken at one point of the step, jittered by blue noise, so that the mean over pixels has no bias.
+// rest is taken at one point of the step, jittered by blue noise, so that the mean over pixels has no bias. The way to the
+// eye is exact for even media, for blobs and for height fog; through noise and grids it is taken once a step.
 #include "participating_media/media.glsl"
 #include "render/shaders/frame.glsl"
 #include "render/shaders/lights.glsl"
@@ -29,20 +30,31 @@ struct Ray {
     vec3 direction;
 };
 
+#if PHASE_KIND == 8  // tabulated
+uniform sampler2D phase_tables;  // a row for each medium, over the scattering angle
+vec3 phase(float u) {
+    float width = float(textureSize(phase_tables, 0).x);
+    float column = 0.5 + acos(clamp(u, -1.0, 1.0)) * 0.31830989 * (width - 1.0);
+    return textureLod(phase_tables, vec2(column / width, (float(medium) + 0.5) / 16.0), 0.0).rgb;
+}
+#else
+float phase(float u) { return phase_evaluate(PHASE_KIND, media[medium].phase_parameters, u); }
+#endif
+
 // Radiance per metre that the light sends from the ray's point t to the eye, before the way there.
 vec3 source(Ray ray, float t) {
     vec3 p = ray.origin + t * ray.direction;
     vec3 to_light;
     vec3 irradiance = light_irradiance(light_index, p, to_light);
-    float phase = phase_evaluate(PHASE_KIND, media[medium].phase_parameters, dot(-to_light, -ray.direction));
-    return irradiance * (phase * light_transmittance(light_index, p, vec3(0.0)));
+    return irradiance * phase(dot(-to_light, -ray.direction)) * light_transmittance(light_index, p, vec3(0.0)) *
+           medium_density(medium, p);
 }
 
 #if LIGHT_KIND == 2  // LIGHT_DIRECTIONAL
 vec3 march(Ray ray, float t0, float t1, float offset) {
     float ds = (t1 - t0) / float(steps);
     vec3 sum = vec3(0.0);
-#ifdef ONE_MEDIUM
+#if defined(ONE_MEDIUM) && defined(EVEN_MEDIA)
     vec3 step_depth = media[medium].sigma_t.rgb * ds;
     vec3 weight = mean_transmittance(step_depth) * ds;  // and the transmittance up to the step
     vec3 factor = exp(-step_depth);
@@ -51,11 +63,12 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
         weight *= factor;
     }
 #else
+    vec3 before = media_transmittance(ray.origin, ray.direction, 0.0, t0);
     for (int i = 0; i < steps; ++i) {
         float begin = t0 + float(i) * ds;
-        vec3 before = media_transmittance(ray.origin, ray.direction, 0.0, begin);
-        vec3 within = mean_transmittance(media_optical_depth(ray.origin, ray.direction, begin, begin + ds));
-        sum += source(ray, begin + offset * ds) * before * within * ds;
+        vec3 step_depth = media_optical_depth(ray.origin, ray.direction, begin, begin + ds, 1);
+        sum += source(ray, begin + offset * ds) * before * mean_transmittance(step_depth) * ds;
+        before *= exp(-step_depth);
     }
 #endif
     return sum;
@@ -72,15 +85,20 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
     vec2 at = vec2(cos(start), sin(start));
     vec2 turn = vec2(cos(dangle), sin(dangle));
     vec3 sum = vec3(0.0);
+#if !defined(ONE_MEDIUM) || !defined(EVEN_MEDIA)
+    vec3 to_eye = media_transmittance(ray.origin, ray.direction, 0.0, t0);
+    float reached = t0;
+#endif
     for (int i = 0; i < steps; ++i) {
         float tangent = at.y / at.x;
         float t = clamp(closest + passing * tangent, t0, t1);
         // the integral of 1/d^2 over the step is dangle / passing; `source` has 1/d^2 at t in it
         float metres = passing * (1.0 + tangent * tangent) * dangle;
-#ifdef ONE_MEDIUM
+#if defined(ONE_MEDIUM) && defined(EVEN_MEDIA)
         vec3 to_eye = exp(-media[medium].sigma_t.rgb * (t - t0));
 #else
-        vec3 to_eye = media_transmittance(ray.origin, ray.direction, 0.0, t);
+        to_eye *= exp(-media_optical_depth(ray.origin, ray.direction, reached, t, 1));
+        reached = t;
 #endif
         sum += source(ray, t) * to_eye * metres;
         at = vec2(at.x * turn.x - at.y * turn.y, at.y * turn.x + at.x * turn.y);
@@ -103,7 +121,7 @@ void main() {
     float entry = t0;
     if (!light_segment(light_index, ray.origin, ray.direction, t0, t1)) return;
     in_scatter.rgb = media[medium].sigma_s_phase.rgb * march(ray, t0, t1, offset);
-#ifdef ONE_MEDIUM
+#if defined(ONE_MEDIUM) && defined(EVEN_MEDIA)
     in_scatter.rgb *= exp(-media[medium].sigma_t.rgb * (t0 - entry));
 #endif
 }

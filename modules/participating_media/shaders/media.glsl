@@ -1,8 +1,10 @@
-// All media of the frame, and what they do along a straight line. Same struct in media_buffer.cpp.
+// All media of the frame, and what they do along a straight line. Same structs in media_buffer.cpp.
 //
-// A program that knows that there is one medium defines ONE_MEDIUM: what lies in a uniform block at a known place is
-// much faster to read on llvmpipe.
+// What only some media have stands in loops that others go through zero times: software renderers execute both sides of a
+// branch. A program that knows that there is one medium defines ONE_MEDIUM, and EVEN_MEDIA that no density varies: what
+// lies in a uniform block at a known place is much faster to read there.
 #include "physics/intersect.glsl"
+#include "physics/noise.glsl"
 #include "physics/phase.glsl"
 #include "physics/transmittance.glsl"
 
@@ -11,20 +13,32 @@ struct GpuMedium {
     vec4 sigma_s_phase;     // rgb 1/m, w PHASE_...
     vec4 sigma_t;           // rgb 1/m
     vec4 phase_parameters;
+    vec4 emission_even;     // rgb cd/m2 per metre, w 1 when the density is 1 everywhere
+    vec4 blobs_height;      // x first blob, y end of blobs, z height density: base in metres, w 1 / scale height, or 0
+    vec4 sampled;           // x octaves of noise or 0, y its coverage, z grid: scale or 0, w its first layer in the atlas
+    vec4 grid_size;         // xyz voxels
+    mat4 field_from_world;  // to features of the noise, or to [0, 1]^3 over the grid
 };
 
 layout(std140) uniform Media { GpuMedium media[16]; };
+layout(std140) uniform MediaBlobs {
+    vec4 blob_centre_radius[64];  // in the medium's box
+    vec4 blob_weight[64];         // x
+};
 #ifdef ONE_MEDIUM
 const int media_count = 1;
 #else
 uniform int media_count;
 #endif
+uniform int media_light_steps;  // samples on the way through noise and grids
+uniform sampler3D media_grids;  // voxels of all grids, stacked along z
+
+vec3 medium_place(int i, vec3 p) { return (media[i].box_from_world * vec4(p, 1.0)).xyz; }
 
 // The part of the ray inside medium i; t in metres, since the direction is carried over unnormalised.
 bool clip_to_medium(int i, vec3 origin, vec3 direction, inout float t0, inout float t1) {
-    mat4 m = media[i].box_from_world;
-    vec3 o = (m * vec4(origin, 1.0)).xyz;
-    vec3 d = mat3(m) * direction;
+    vec3 o = medium_place(i, origin);
+    vec3 d = mat3(media[i].box_from_world) * direction;
     vec3 inverse = 1.0 / mix(d, vec3(1e-20), lessThan(abs(d), vec3(1e-20)));
     vec3 a = (-0.5 - o) * inverse;
     vec3 b = (0.5 - o) * inverse;
@@ -34,18 +48,69 @@ bool clip_to_medium(int i, vec3 origin, vec3 direction, inout float t0, inout fl
     return t0 < t1;
 }
 
+#ifndef EVEN_MEDIA
+// Noise and grids: what has no closed form along a line.
+float sampled_density(int i, vec3 p) {
+    vec3 place = (media[i].field_from_world * vec4(p, 1.0)).xyz;
+    float density = 0.0;
+    for (int k = 0; k < int(min(media[i].sampled.x, 1.0)); ++k)
+        density += noise_density(place, int(media[i].sampled.x), media[i].sampled.y);
+    for (int k = 0; k < int(min(media[i].grid_size.x, 1.0)); ++k) {
+        vec3 size = media[i].grid_size.xyz;
+        bool inside = all(greaterThanEqual(place, vec3(0.0))) && all(lessThanEqual(place, vec3(1.0)));
+        vec3 texel = clamp(place * size, vec3(0.5), size - 0.5) + vec3(0.0, 0.0, media[i].sampled.w);
+        density += inside ? media[i].sampled.z * textureLod(media_grids, texel / vec3(textureSize(media_grids, 0)), 0.0).r : 0.0;
+    }
+    return density;
+}
+
+// Density of medium i at a place inside its box.
+float medium_density(int i, vec3 p) {
+    float density = media[i].emission_even.w + sampled_density(i, p);
+    vec3 local = medium_place(i, p);
+    for (int b = int(media[i].blobs_height.x); b < int(media[i].blobs_height.y); ++b) {
+        vec3 away = local - blob_centre_radius[b].xyz;
+        float radius = blob_centre_radius[b].w;
+        density += blob_weight[b].x * exp(-0.5 * dot(away, away) / (radius * radius));
+    }
+    for (int k = 0; k < (media[i].blobs_height.w > 0.0 ? 1 : 0); ++k)
+        density += exp((media[i].blobs_height.z - p.y) * media[i].blobs_height.w);
+    return density;
+}
+
+// Integral of the density along [t0, t1] inside medium i's box, metres; what has no closed form is taken `samples` times.
+float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) {
+    float ds = t1 - t0;
+    float column = media[i].emission_even.w * ds;
+    for (int b = int(media[i].blobs_height.x); b < int(media[i].blobs_height.y); ++b)
+        column += blob_weight[b].x * gaussian_line_integral(medium_place(i, origin), mat3(media[i].box_from_world) * direction,
+                                                            blob_centre_radius[b].xyz, blob_centre_radius[b].w, t0, t1);
+    for (int k = 0; k < (media[i].blobs_height.w > 0.0 ? 1 : 0); ++k)
+        column += height_fog_optical_depth(1.0, media[i].blobs_height.z, 1.0 / media[i].blobs_height.w, origin.y + t0 * direction.y,
+                                           origin.y + t1 * direction.y, ds);
+    int count = media[i].sampled.x + media[i].grid_size.x > 0.0 ? samples : 0;
+    for (int s = 0; s < count; ++s)
+        column += sampled_density(i, origin + direction * (t0 + (float(s) + 0.5) / float(samples) * ds)) * ds / float(samples);
+    return column;
+}
+#else
+float medium_density(int i, vec3 p) { return 1.0; }
+float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) { return t1 - t0; }
+#endif
+
 // Optical depth of all media between two distances on the ray.
-vec3 media_optical_depth(vec3 origin, vec3 direction, float t_begin, float t_end) {
+vec3 media_optical_depth(vec3 origin, vec3 direction, float t_begin, float t_end, int samples) {
     vec3 depth = vec3(0.0);
     for (int i = 0; i < media_count; ++i) {
         float t0 = t_begin, t1 = t_end;
         bool inside = clip_to_medium(i, origin, direction, t0, t1);
-        depth += media[i].sigma_t.rgb * (inside ? t1 - t0 : 0.0);
+        t1 = inside ? t1 : t0;
+        depth += media[i].sigma_t.rgb * medium_column(i, origin, direction, t0, t1, samples);
     }
     return depth;
 }
 
 // Share of the light that passes all media between two distances on the ray.
 vec3 media_transmittance(vec3 origin, vec3 direction, float t_begin, float t_end) {
-    return exp(-media_optical_depth(origin, direction, t_begin, t_end));
+    return exp(-media_optical_depth(origin, direction, t_begin, t_end, media_light_steps));
 }

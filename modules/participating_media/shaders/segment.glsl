@@ -1,4 +1,4 @@
-// Provider of the media-segment seam: what the march gathered, and the exact transmittance of homogeneous media.
+// Provider of the media-segment seam: what the march gathered, and the transmittance of all media.
 #include "participating_media/media.glsl"
 #include "render/shaders/frame.glsl"
 #include "render/shaders/seam_types.glsl"
