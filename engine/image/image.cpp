@@ -163,6 +163,22 @@ Image with_channels(const Image& image, int channels) {
     return out;
 }
 
+Image cropped(const Image& image, int x, int y, int width, int height) {
+    if (x < 0 || y < 0 || width <= 0 || height <= 0 || width > image.width - x || height > image.height - y)
+        throw Error(Diagnostic{
+            {},
+            fmt::format("a rectangle of {}x{} pixels at x {}, y {} does not lie in the picture", width, height, x, y),
+            fmt::format("one within its {}x{} pixels", image.width, image.height)});
+    Image out(width, height, image.channels, image.type);
+    const size_t pixel = static_cast<size_t>(image.channels) * bytes_per_value(image.type);
+    const size_t row = pixel * static_cast<size_t>(width);
+    for (int line = 0; line < height; ++line) {
+        const auto from = static_cast<size_t>(y + line) * static_cast<size_t>(image.width) + static_cast<size_t>(x);
+        std::memcpy(&out.pixels[row * static_cast<size_t>(line)], &image.pixels[pixel * from], row);
+    }
+    return out;
+}
+
 Image flip_rows(const Image& image) {
     Image out = image;
     const size_t row = image.pixels.size() / static_cast<size_t>(std::max(image.height, 1));

@@ -65,6 +65,8 @@ void check_image_size(int width, int height, int channels, Image::Type type);
 [[nodiscard]] Image with_channels(const Image& image, int channels);
 /// Turned upside down: OpenGL's bottom row first from our top row first, and back.
 [[nodiscard]] Image flip_rows(const Image& image);
+/// The rectangle whose left top pixel is (x, y). Throws Error when it is empty or reaches over the picture's border.
+[[nodiscard]] Image cropped(const Image& image, int x, int y, int width, int height);
 /// Each new pixel is the exact area average of what it covers (box filter); enlarging repeats pixels.
 [[nodiscard]] Image resize(const Image& image, int width, int height);
 /// resize by a whole factor. Throws Error when it does not divide the picture's sides.

@@ -29,6 +29,14 @@ struct ImageSize {
 /// Reads the header alone. Throws Error as load_image does.
 [[nodiscard]] ImageSize load_image_size(const std::filesystem::path& file);
 
+/// The names of a picture file's layers, in the file's order: what stands before the last dot of the channels' names,
+/// and "" for channels without a dot, such as R, G, B. Throws Error as load_image does.
+[[nodiscard]] std::vector<std::string> load_layer_names(const std::filesystem::path& file);
+/// One layer of a picture file as f32, its other layers unread: at most four channels, in the order R G B A, X Y Z or
+/// Y. The layer "" of a file that has no plain channels, but one layer alone, is that. Throws Error as load_image does,
+/// and for a layer that is not there (with the nearest name) or has more channels.
+[[nodiscard]] Image load_layer(const std::filesystem::path& file, std::string_view layer);
+
 /// Writes an 8- or 16-bit picture of 1 to 4 channels, atomically. Throws Error for another type or when it cannot be
 /// written.
 void save_png(const std::filesystem::path& file, const Image& image);

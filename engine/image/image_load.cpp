@@ -5,22 +5,21 @@
 #include <cctype>
 #include <fstream>
 #include <memory>
+#include <string>
 
 #include "core/error.h"
 #include "core/paths.h"
-#include "image/image_io.h"
+#include "image/image_reader.h"
 
 namespace tyndall {
 namespace {
+
+using reading::fail;
 
 /// Enough for the readers that decode in parallel, and little to take in vain.
 constexpr int kRowsAtOnce = 256;
 
 constexpr std::string_view kKnownFormats = "PNG, JPEG, OpenEXR, Radiance HDR, TIFF, Targa, BMP or WebP";
-
-[[noreturn]] void fail(std::string_view name, std::string message, std::string expected = {}) {
-    throw Error(Diagnostic{{std::string(name)}, std::move(message), std::move(expected), {}});
-}
 
 bool has_extension(std::string_view name, std::string_view extension) {
     return name.size() > extension.size() &&
@@ -81,86 +80,66 @@ OIIO::TypeDesc oiio_type(Image::Type type) {
     return type == Image::Type::u8 ? OIIO::TypeUInt8 : type == Image::Type::u16 ? OIIO::TypeUInt16 : OIIO::TypeFloat;
 }
 
-/// An opened picture; `proxy` is read from while it lives.
-struct Reader {
-    std::string name;
-    std::unique_ptr<OIIO::Filesystem::IOMemReader> proxy;
-    std::unique_ptr<OIIO::ImageInput> input;
+}  // namespace
 
-    Reader(std::string_view content, std::string_view picture_name) : name(picture_name) {
-        const std::string format = format_of(content, name);
-        check_end(content, format, name);
-        input = OIIO::ImageInput::create(format);
-        if (!input) fail(name, "OpenImageIO was built without " + format + ": " + OIIO::geterror());
-        if (!input->supports("ioproxy")) fail(name, format + " pictures can be read from files only");
-        proxy = std::make_unique<OIIO::Filesystem::IOMemReader>(const_cast<char*>(content.data()), content.size());
-        input->set_ioproxy(proxy.get());
-        open("in memory." + format);
+namespace reading {
+
+void fail(std::string_view name, std::string message, std::string expected, std::string suggestion) {
+    throw Error(Diagnostic{{std::string(name)}, std::move(message), std::move(expected), std::move(suggestion)});
+}
+
+Reader::Reader(std::string_view content, std::string_view picture_name) : name(picture_name) {
+    const std::string format = format_of(content, name);
+    check_end(content, format, name);
+    input = OIIO::ImageInput::create(format);
+    if (!input) fail(name, "OpenImageIO was built without " + format + ": " + OIIO::geterror());
+    if (!input->supports("ioproxy")) fail(name, format + " pictures can be read from files only");
+    proxy = std::make_unique<OIIO::Filesystem::IOMemReader>(const_cast<char*>(content.data()), content.size());
+    input->set_ioproxy(proxy.get());
+    open("in memory." + format);
+}
+
+Reader::Reader(const std::filesystem::path& file, std::string_view format) : name(file.string()) {
+    input = OIIO::ImageInput::create(std::string(format));
+    if (!input) fail(name, "OpenImageIO was built without " + std::string(format) + ": " + OIIO::geterror());
+    open(name);
+}
+
+Image Reader::read(int first_channel, int last_channel, bool as_float) {
+    Image image;
+    image.width = spec().width;
+    image.height = spec().height;
+    image.channels = last_channel - first_channel;
+    image.type = as_float ? Image::Type::f32 : type_of(spec().format);
+    check_image_size(image.width, image.height, image.channels, image.type);
+    const size_t row = image.value_count() / static_cast<size_t>(image.height) * bytes_per_value(image.type);
+    image.pixels.reserve(row * static_cast<size_t>(image.height));
+    const int step = spec().tile_width > 0 ? image.height : kRowsAtOnce;
+    for (int y = 0; y < image.height; y += step) {
+        const int end = std::min(y + step, image.height);
+        image.pixels.resize(row * static_cast<size_t>(end));
+        std::byte* to = &image.pixels[row * static_cast<size_t>(y)];
+        const OIIO::TypeDesc type = oiio_type(image.type);
+        const bool read = spec().tile_width > 0 ? input->read_image(0, 0, first_channel, last_channel, type, to)
+                                                : input->read_scanlines(0, 0, y + spec().y, end + spec().y, spec().z,
+                                                                        first_channel, last_channel, type, to);
+        if (!read || input->has_error()) fail(name, "the picture is truncated or corrupt: " + reason());
     }
+    return image;
+}
 
-    Reader(const std::filesystem::path& file, std::string_view format) : name(file.string()) {
-        input = OIIO::ImageInput::create(std::string(format));
-        if (!input) fail(name, "OpenImageIO was built without " + std::string(format) + ": " + OIIO::geterror());
-        open(name);
-    }
+std::string Reader::reason() const {
+    const std::string text = input->geterror();
+    return text.empty() ? "no reason given" : text;
+}
 
-    [[nodiscard]] const OIIO::ImageSpec& spec() const { return input->spec(); }
-
-    /// Memory is taken as rows arrive: a small file that promises a huge picture costs nothing.
-    Image read() {
-        Image image;
-        image.width = spec().width;
-        image.height = spec().height;
-        image.channels = spec().nchannels;
-        image.type = type_of(spec().format);
-        check_image_size(image.width, image.height, image.channels, image.type);
-        const size_t row = image.value_count() / static_cast<size_t>(image.height) * bytes_per_value(image.type);
-        image.pixels.reserve(row * static_cast<size_t>(image.height));
-        const int step = spec().tile_width > 0 ? image.height : kRowsAtOnce;
-        for (int y = 0; y < image.height; y += step) {
-            const int end = std::min(y + step, image.height);
-            image.pixels.resize(row * static_cast<size_t>(end));
-            if (!read_rows(y, end, image.channels, oiio_type(image.type), &image.pixels[row * static_cast<size_t>(y)]))
-                fail(name, "the picture is truncated or corrupt: " + reason());
-        }
-        return image;
-    }
-
- private:
-    bool read_rows(int begin, int end, int channels, OIIO::TypeDesc type, std::byte* to) {
-        const bool read = spec().tile_width > 0 ? input->read_image(0, 0, 0, channels, type, to)
-                                                : input->read_scanlines(0, 0, begin + spec().y, end + spec().y,
-                                                                        spec().z, 0, channels, type, to);
-        return read && !input->has_error();
-    }
-
-    std::string reason() const {
-        const std::string text = input->geterror();
-        return text.empty() ? "no reason given" : text;
-    }
-
-    void open(const std::string& as) {
-        OIIO::ImageSpec hints;
-        hints.attribute("oiio:UnassociatedAlpha", 1);  // the file's own numbers, alpha not multiplied in
-        OIIO::ImageSpec opened;
-        if (!input->open(as, opened, hints)) fail(name, "cannot be read: " + reason());
-        if (opened.deep) fail(name, "deep pictures are not read", "one value a channel");
-        if (opened.depth > 1) fail(name, "volume pictures are not read", "one slice");
-    }
-};
-
-/// OpenImageIO and the libraries below it report by return value and by exception; both become Errors that name the
-/// file.
-template <class Work>
-auto guarded(std::string_view name, Work&& work) {
-    try {
-        return work();
-    } catch (const Error& error) {
-        if (!error.diagnostics().front().where.file.empty()) throw;
-        throw Error(error).within(std::string(name));
-    } catch (const std::exception& error) {
-        fail(name, std::string("cannot be read: ") + error.what());
-    }
+void Reader::open(const std::string& as) {
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1);  // the file's own numbers, alpha not multiplied in
+    OIIO::ImageSpec opened;
+    if (!input->open(as, opened, hints)) fail(name, "cannot be read: " + reason());
+    if (opened.deep) fail(name, "deep pictures are not read", "one value a channel");
+    if (opened.depth > 1) fail(name, "volume pictures are not read", "one slice");
 }
 
 /// Opens a file by the kind that its first bytes tell.
@@ -179,7 +158,9 @@ Reader open_file(const std::filesystem::path& file, bool whole) {
     return {file, format};
 }
 
-}  // namespace
+}  // namespace reading
+
+using reading::guarded, reading::open_file, reading::Reader;
 
 Image load_image(const std::filesystem::path& file) {
     return guarded(file.string(), [&] { return open_file(file, true).read(); });

@@ -7,28 +7,12 @@
 #include <limits>
 #include <random>
 
+#include "compare_pictures.h"
 #include "core/error.h"
 #include "image/image_io.h"
 
 namespace tyndall {
 namespace {
-
-Image filled(int width, int height, float r, float g, float b) {
-    Image image(width, height, 3, Image::Type::f32);
-    const float colour[] = {r, g, b};
-    for (size_t i = 0; i < image.value_count(); ++i) image.floats()[i] = colour[i % 3];
-    return image;
-}
-
-Image waves(int width, int height) {
-    Image image(width, height, 3, Image::Type::f32);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            for (int c = 0; c < 3; ++c)
-                image.at(x, y, c) =
-                    0.5f + 0.4f * std::sin(0.13f * static_cast<float>(x * (c + 1)) + 0.07f * static_cast<float>(y));
-    return image;
-}
 
 Image noisy(const Image& image, float amount) {
     Image out = image;
@@ -81,8 +65,31 @@ TEST(CompareLinear, NotFiniteNeverPasses) {
     bad.at(4, 3, 0) = std::numeric_limits<float>::infinity();
     const LinearDifference d = compare_linear(waves(16, 16), bad);
     EXPECT_EQ(d.not_finite, 2u);
+    EXPECT_EQ(d.not_finite_x, 3);
+    EXPECT_EQ(d.not_finite_y, 3);
     EXPECT_TRUE(std::isinf(d.relative_mse));
     EXPECT_THROW((void)compare_linear(bad, waves(16, 16)), Error);
+}
+
+TEST(CompareLinear, MaskLeavesOut) {
+    const Image reference = waves(32, 32);
+    Image test = reference, shape(32, 32, 1, Image::Type::u8);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x) {
+            if (x < 16)
+                shape.bytes()[static_cast<size_t>(y * 32 + x)] = 255;
+            else
+                test.at(x, y, 0) = y == 3 ? std::numeric_limits<float>::quiet_NaN() : 7.0f;
+        }
+    test.at(5, 9, 1) += 0.25f;
+    const LinearDifference d = compare_linear(reference, test, 0.1, mask_of(shape));
+    EXPECT_EQ(d.not_finite, 0u);
+    EXPECT_NEAR(d.failing_fraction, 1.0 / (16 * 32), 1e-12);
+    EXPECT_NEAR(d.max_difference, 0.25, 1e-6);
+    EXPECT_EQ(d.worst_block_x, 0);
+    EXPECT_EQ(d.worst_block_y, 8);
+    EXPECT_THROW((void)mask_of(Image(4, 4, 3, Image::Type::u8)), Error);
+    EXPECT_THROW((void)compare_linear(reference, test, 0.1, Mask(5, 1)), Error);
 }
 
 TEST(CompareLinear, AgreesWithTheScriptOnRealPictures) {

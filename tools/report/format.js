@@ -20,6 +20,7 @@ const kMetrics = {
   flip_worst_block: ["FLIP, worst block", false, "largest mean FLIP of an 8x8 block"],
   hdr_flip_max: ["HDR-FLIP, largest", false, ""],
   hdr_flip_worst_block: ["HDR-FLIP, worst block", false, "largest mean HDR-FLIP of an 8x8 block"],
+  ssim_min: ["SSIM, smallest", true, "of a pixel"],
   not_finite: ["NaN or Inf", false, "values of the test that are no numbers"],
   z_p: ["Z-test p", true, "probability that noise alone gives such a difference"],
   z_worst: ["largest |z|", false, "of an 8x8 block and channel"],
@@ -28,6 +29,10 @@ const kMetrics = {
   z_spread_p: ["spread p", true, "chi-square of all z"],
   z_mean: ["z of the mean", null, "the whole picture's mean, worst channel"],
   z_mean_p: ["mean p", true, "whole-picture means"],
+  z_worst_x: ["its block, x", null, ""],
+  z_worst_y: ["its block, y", null, ""],
+  z_tests: ["blocks × channels", null, "that have noise"],
+  z_critical: ["critical |z|", null, "exceeded by chance with the probability of the significance"],
   z_share: ["share above critical", false, "of |z| above the critical value at the significance"],
 };
 const kHeadline = ["relmse", "hdr_flip", "flip", "ssim", "max_difference", "mean_ratio", "z_p"];

@@ -5,12 +5,12 @@
 #include <glm/gtc/packing.hpp>
 #include <nlohmann/json.hpp>
 
+#include "image/compare.h"
+
 namespace tyndall::report {
 namespace {
 
 using nlohmann::json;
-
-constexpr float kLuminance[3] = {0.2126f, 0.7152f, 0.0722f};  // Rec.709
 
 float encode_srgb(float x) {
     x = std::clamp(x, 0.0f, 1.0f);
@@ -61,17 +61,7 @@ std::string base64(std::span<const std::byte> bytes) {
 }
 
 double exposure_of(const Entry& entry) {
-    if (entry.exposure > 0) return entry.exposure;
-    const auto rgb = entry.reference.floats();
-    std::vector<float> luminances(rgb.size() / 3);
-    for (size_t i = 0; i < luminances.size(); ++i)
-        for (size_t c = 0; c < 3; ++c) luminances[i] += kLuminance[c] * rgb[3 * i + c];
-    std::erase_if(luminances, [](float v) { return !std::isfinite(v); });
-    if (luminances.empty()) return 1;
-    const auto at = static_cast<std::ptrdiff_t>(0.995 * static_cast<double>(luminances.size() - 1));
-    std::nth_element(luminances.begin(), luminances.begin() + at, luminances.end());
-    const float white = luminances[static_cast<size_t>(at)];
-    return white > 0 ? 1 / static_cast<double>(white) : 1;
+    return entry.exposure > 0 ? entry.exposure : display_exposure(entry.reference);
 }
 
 Image relative_error(const Image& reference, const Image& test) {

@@ -69,8 +69,7 @@ function set_wipe(share) { viewer.wipe = Math.min(Math.max(share, 0), 1); show_w
 
 function fit() {
   const { picture } = viewer, [width, height] = stage_size();
-  const zoom = Math.min(width / picture.width, height / picture.height);
-  Object.assign(viewer, { zoom: zoom > 1 ? Math.max(1, Math.floor(zoom * 2) / 2) : zoom, x: picture.width / 2, y: picture.height / 2 });
+  Object.assign(viewer, { zoom: Math.min(width / picture.width, height / picture.height), x: picture.width / 2, y: picture.height / 2 });
 }
 // Keeps the point under (left, top) of the stage where it is.
 function zoom_to(zoom, left, top) {
@@ -205,6 +204,7 @@ function show_pictures(picture) {
 }
 
 function open_viewer(entry) {
+  by_id("stage").style.aspectRatio = `${entry.width} / ${entry.height}`;
   Object.assign(viewer, { entry, picture: null, layers: {}, fitted: true, wipe: 0.5, probe: null });
   for (const [side, which] of [["left", "reference"], ["right", "test"]]) {
     by_id(side).replaceChildren(...Object.entries(kSides).map(([value, label]) => make("option", { value }, label)));
