@@ -24,6 +24,7 @@ void add_compare(CLI::App& app, Command& command);
 void add_schema(CLI::App& app, Command& command);
 void add_validate(CLI::App& app, Command& command);
 void add_modules(CLI::App& app, Command& command);
+void add_farm(CLI::App& app, Command& command);
 void add_info(CLI::App& app, Command& command);
 
 /// "1280x720". Throws Error.
