@@ -55,7 +55,7 @@ rm -f -- "$end"
 
 # Slurm sends TERM when the time is up or the job is cancelled: the program saves what it has, and the task has no end,
 # so that it goes on when it is submitted again.
-trap 'stopped=yes; [ -z "$!" ] || kill -TERM "$!"' TERM
+trap 'stopped=yes; [ -z "$!" ] || kill -TERM "$!" 2>/dev/null' TERM
 "$program" "$@" &
 [ -z "$stopped" ] || kill -TERM "$!"
 wait "$!"
