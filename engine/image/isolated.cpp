@@ -70,7 +70,7 @@ void limit(int resource, rlim_t most) {
 void confine([[maybe_unused]] const std::filesystem::path& file) {
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, kSeconds);
-    alarm(kSeconds);  // one that waits for ever takes no processor time
+    alarm(kSeconds);                                                 // one that waits for ever takes no processor time
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which reserve terabytes
     std::error_code unknown;
     const uintmax_t size = std::filesystem::file_size(file, unknown);

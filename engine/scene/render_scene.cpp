@@ -32,7 +32,6 @@ void RenderScene::clear() {
     probes.clear();
 }
 
-
 glm::mat4 medium_box(const Medium& medium, const RenderScene& scene) {
     if (medium.shape == MediumShape::box) return medium.transform;
     const Bounds bounds = scene_bounds(scene);
