@@ -150,7 +150,8 @@ struct Medium {
     glm::vec3 sigma_a_per_m{0.0f};
     glm::vec3 emission_cd_m2_per_m{0.0f};  ///< radiance given off per metre
     PhaseFunction phase;
-    DensityField density;  ///< multiplies the three coefficients
+    DensityField density;         ///< multiplies the three coefficients
+    std::string solver = "auto";  ///< what the scene asks to render it with in real time, by the module's names
     Entity entity;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The frame's media on the GPU, shared by the march and the two seam providers.
+/// The frame's media on the GPU and who renders them, shared by the solvers and the two seam providers.
 
 #include <glm/mat4x4.hpp>
 #include <set>
@@ -10,6 +10,7 @@
 #include "gpu/gpu.h"
 #include "media_textures.h"
 #include "scene/render_scene.h"
+#include "solver_plan.h"
 
 namespace tyndall::participating_media {
 
@@ -23,6 +24,7 @@ class MediaBuffer {
     /// Uploads the scene's media when they changed. Returns those that are rendered.
     const std::vector<Medium>& update(const RenderScene& scene, bool enabled);
     [[nodiscard]] const std::vector<Medium>& media() const { return media_; }
+    [[nodiscard]] const SolverPlan& plan() const { return plan_; }
     /// No density varies.
     [[nodiscard]] bool even() const { return even_; }
     /// Sets all that media.glsl declares; `light_steps` are samples through noise and grids.
@@ -38,6 +40,7 @@ class MediaBuffer {
     gpu::Buffer buffer_, blobs_;
     MediaTextures textures_;
     std::vector<Medium> media_;
+    SolverPlan plan_;
     bool even_ = true;
     std::string uploaded_;  ///< the buffers' bytes
     std::set<std::string, std::less<>> warned_;

@@ -1,6 +1,7 @@
 #include "medium_component.h"
 
 #include "core/error.h"
+#include "solver_plan.h"
 
 namespace tyndall::participating_media {
 
@@ -10,6 +11,14 @@ void describe(StructBuilder<BoxBounds>& d) {
 void describe(StructBuilder<WholeSceneBounds>& d) {
     d.doc("The bounding box of all surfaces, lights and the camera: fog without an end would let no sunlight in.");
 }
+
+namespace {
+std::vector<std::string> solver_choices() {
+    std::vector<std::string> names = solver_names();
+    names.insert(names.begin(), "auto");
+    return names;
+}
+}  // namespace
 
 void describe(StructBuilder<MediumComponent>& d) {
     d.doc("A participating medium: air with fog, dust or smoke in it, or water. Overlapping media add.");
@@ -26,6 +35,9 @@ void describe(StructBuilder<MediumComponent>& d) {
     d.field("phase", &MediumComponent::phase, "How scattered light is spread over directions.", phase_names());
     d.field("density", &MediumComponent::density, "Multiplies the coefficients; places are in the unit box.",
             density_names());
+    d.field("solver", &MediumComponent::solver,
+            "What renders it in real time; auto chooses for each light. Documented in the module's README.",
+            solver_choices());
 }
 
 void extract_medium(const ExtractContext& context, const void* component, RenderScene& scene) {
@@ -43,6 +55,7 @@ void extract_medium(const ExtractContext& context, const void* component, Render
         throw Error("a volume that keeps its proportions needs a box: the whole scene's is not known beforehand");
     const Bounds unit_box{glm::vec3(-0.5f), glm::vec3(0.5f)};
     medium.density = make_density(authored.density, context.assets, unit_box, context.transform);
+    medium.solver = solver_choices()[static_cast<size_t>(authored.solver)];
     scene.media.push_back(std::move(medium));
 }
 

@@ -15,7 +15,10 @@ struct WholeSceneBounds {};
 void describe(StructBuilder<BoxBounds>& d);
 void describe(StructBuilder<WholeSceneBounds>& d);
 
-/// A medium; overlapping media add. Single scattering of even ones is what this module renders of it.
+/// What renders a medium: 0 = auto, otherwise a Solver, counted from 1.
+enum class SolverChoice : int32_t { automatic };
+
+/// A medium; overlapping media add. Single scattering is what this module renders of it.
 struct MediumComponent {
     static constexpr std::string_view kName = "medium";
     std::variant<BoxBounds, WholeSceneBounds> bounds;
@@ -24,6 +27,7 @@ struct MediumComponent {
     glm::vec3 emission_cd_m2_per_m{0.0f};
     PhaseChoice phase;
     DensityChoice density;
+    SolverChoice solver = SolverChoice::automatic;
 };
 void describe(StructBuilder<MediumComponent>& d);
 

@@ -1,6 +1,6 @@
 // The module: what it registers.
 
-#include "march_pass.h"
+#include "march/march_pass.h"
 #include "medium_component.h"
 #include "module/module.h"
 
@@ -11,9 +11,10 @@ class ParticipatingMedia final : public Module {
     void install(Registrar& registrar) override {
         const auto media = std::make_shared<MediaBuffer>();
         registrar.component<MediumComponent>(extract_medium);
-        const MarchSettings& settings = registrar.settings<MarchSettings>();
+        const MediaSettings& settings = registrar.settings<MediaSettings>();
         registrar.pass(std::make_unique<MarchPass>(media, settings));
-        registrar.pass(std::make_unique<FilterPass>(settings));
+        registrar.pass(std::make_unique<FilterPass>(media, settings));
+        registrar.pass(std::make_unique<GatherPass>(media, settings));
         const auto bind_media = [media, &settings](const gpu::Program& program, PassContext& context) {
             media->update(context.frame().scene, settings.enabled);
             media->bind(program, settings.light_steps);

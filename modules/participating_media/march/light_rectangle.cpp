@@ -1,4 +1,4 @@
-#include "light_rectangle.h"
+#include "march/light_rectangle.h"
 
 #include <glm/common.hpp>
 

@@ -1,15 +1,13 @@
-#include "march_pass.h"
+#include "march/march_pass.h"
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include "light_rectangle.h"
+#include "march/light_rectangle.h"
 #include "physics/blue_noise.h"
 
 namespace tyndall::participating_media {
 namespace {
-
-constexpr float kFarthest = 1e4f;  // metres; rays into the sky are marched to here at most
 
 gpu::Texture make_blue_noise() {
     const std::vector<float> mask = physics::blue_noise_mask();
@@ -20,41 +18,48 @@ gpu::Texture make_blue_noise() {
     return texture;
 }
 
-int pixel_step(const MarchSettings& settings) {
+int pixel_step(const MediaSettings& settings) {
     return settings.resolution == Resolution::half ? 2 : 1;
 }
 
-TargetDesc marched_target(const MarchSettings& settings) {
+TargetDesc marched_target(const MediaSettings& settings) {
     return {.format = gpu::Format::rgba32f, .scale = 1.0f / static_cast<float>(pixel_step(settings))};
+}
+
+bool filters_apart(const MediaSettings& settings) {
+    return settings.filter && settings.resolution != Resolution::full;
 }
 
 }  // namespace
 
 void MarchPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::media).reads("scene_depth", "where rays end");
-    declaration.writes(settings_.filter ? "media_in_scatter_marched" : "media_in_scatter", marched_target(settings_),
+    declaration.writes("media_marched", marched_target(settings_),
                        "single-scattered radiance between the eye and the surface, and the distance marched");
 }
 
 void MarchPass::execute(PassContext& context) {
     if (blue_noise_.name() == 0) blue_noise_ = make_blue_noise();
     Frame& frame = context.frame();
+    media_->update(frame.scene, settings_.enabled);
+    if (!media_->plan().uses(Solver::ray_marched)) return;
     context.bind_targets();
     draw_distance(context);
-    const auto& media = media_->update(frame.scene, settings_.enabled);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);  // the distance stays
     for (auto& [key, programs] : programs_) programs.begin();
-    for (size_t light = 0; light < frame.scene.lights.size(); ++light)
-        for (size_t medium = 0; medium < media.size(); ++medium) draw_light(context, light, static_cast<int>(medium));
-    for (size_t medium = 0; medium < media.size(); ++medium)
-        if (media[medium].emission_cd_m2_per_m != glm::vec3(0.0f)) draw_emission(context, static_cast<int>(medium));
+    for (const Term& term : media_->plan().terms(Solver::ray_marched)) {
+        if (term.source == Term::Source::light)
+            draw_light(context, term.light, static_cast<int>(term.medium));
+        else
+            draw_emission(context, static_cast<int>(term.medium));
+    }
     glDisable(GL_BLEND);
 }
 
 void MarchPass::draw_emission(PassContext& context, int medium) {
     static const gpu::ProgramDesc kDesc{.name = "participating_media.emission",
-                                        .fragment = "participating_media/emission.frag"};
+                                        .fragment = "participating_media/march/emission.frag"};
     const gpu::Program& program = context.frame().shaders.program(kDesc);
     program.use();
     bind_frame(program, context.frame());
@@ -65,7 +70,7 @@ void MarchPass::draw_emission(PassContext& context, int medium) {
 
 void MarchPass::draw_distance(PassContext& context) {
     static const gpu::ProgramDesc kDesc{.name = "participating_media.distance",
-                                        .fragment = "participating_media/distance.frag"};
+                                        .fragment = "participating_media/march/distance.frag"};
     const gpu::Program& program = context.frame().shaders.program(kDesc);
     program.use();
     bind_frame(program, context.frame());
@@ -113,7 +118,7 @@ LightPrograms& MarchPass::programs(PhaseKind phase) {
     const bool even = media_->even();
     const auto key = std::tuple(phase, one, even);
     if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
-    gpu::ProgramDesc desc{.name = "participating_media.march", .fragment = "participating_media/march.frag"};
+    gpu::ProgramDesc desc{.name = "participating_media.march", .fragment = "participating_media/march/march.frag"};
     desc.defines.push_back(fmt::format("PHASE_KIND {}", static_cast<int>(phase)));
     if (one) desc.defines.emplace_back("ONE_MEDIUM");
     if (even) desc.defines.emplace_back("EVEN_MEDIA");
@@ -122,21 +127,57 @@ LightPrograms& MarchPass::programs(PhaseKind phase) {
 
 void FilterPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::media);
-    if (!settings_.filter) return;
-    declaration.reads("media_in_scatter_marched", "grainy")
-        .writes("media_in_scatter", marched_target(settings_), "the same without its grain");
+    if (!filters_apart(settings_)) return;
+    declaration.reads("media_marched", "grainy")
+        .writes("media_marched_filtered", marched_target(settings_), "the same without its grain");
 }
 
 void FilterPass::execute(PassContext& context) {
-    static const gpu::ProgramDesc kFull{
-        .name = "participating_media.filter", .fragment = "participating_media/filter.frag", .defines = {"RADIUS 1"}};
-    static const gpu::ProgramDesc kHalf{
-        .name = "participating_media.filter", .fragment = "participating_media/filter.frag", .defines = {"RADIUS 2"}};
+    static const gpu::ProgramDesc kDesc{.name = "participating_media.filter",
+                                        .fragment = "participating_media/march/filter.frag",
+                                        .defines = {"RADIUS 2"}};
+    if (!media_->plan().uses(Solver::ray_marched)) return;
     context.bind_targets();
-    const gpu::Program& program =
-        context.frame().shaders.program(settings_.resolution == Resolution::half ? kHalf : kFull);
+    const gpu::Program& program = context.frame().shaders.program(kDesc);
     program.use();
-    program.texture("marched", context.texture("media_in_scatter_marched"), {.filter = gpu::Filter::nearest});
+    program.texture("marched", context.texture("media_marched"), {.filter = gpu::Filter::nearest});
+    gpu::draw_fullscreen();
+}
+
+void GatherPass::declare(PassDeclaration& declaration) {
+    declaration.stage(Stage::media)
+        .reads("scene_depth", "where rays end")
+        .reads(filters_apart(settings_) ? "media_marched_filtered" : "media_marched", "what the march found")
+        .writes("media_in_scatter", {.format = gpu::Format::rgba32f},
+                "single-scattered radiance between the eye and the surface, and that distance");
+}
+
+const gpu::ProgramDesc& GatherPass::program() const {
+    static const gpu::ProgramDesc kNothing{.name = "participating_media.distance",
+                                           .fragment = "participating_media/march/distance.frag"};
+    static const gpu::ProgramDesc kUpsample{.name = "participating_media.upsample",
+                                            .fragment = "participating_media/march/upsample.frag"};
+    static const gpu::ProgramDesc kFilter{.name = "participating_media.filter",
+                                          .fragment = "participating_media/march/filter.frag",
+                                          .defines = {"RADIUS 1"}};
+    static const gpu::ProgramDesc kCopy{.name = "participating_media.copy",
+                                        .fragment = "participating_media/march/filter.frag",
+                                        .defines = {"RADIUS 0"}};
+    if (!media_->plan().uses(Solver::ray_marched)) return kNothing;
+    if (settings_.resolution != Resolution::full) return kUpsample;
+    return settings_.filter ? kFilter : kCopy;
+}
+
+void GatherPass::execute(PassContext& context) {
+    context.bind_targets();
+    const gpu::Program& program = context.frame().shaders.program(this->program());
+    program.use();
+    bind_frame(program, context.frame());
+    program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
+    program.texture("marched", context.texture(filters_apart(settings_) ? "media_marched_filtered" : "media_marched"),
+                    {.filter = gpu::Filter::nearest});
+    program.set("pixel_step", 1);
+    program.set("farthest", kFarthest);
     gpu::draw_fullscreen();
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How finely the single scattering is marched.
+/// What a scene may choose of the rendering of media.
 
 #include "ecs/description.h"
 
@@ -7,8 +7,8 @@ namespace tyndall::participating_media {
 
 enum class Resolution { full, half };
 
-/// "render": { "participating_media": { ... } } of a scene.
-struct MarchSettings {
+/// "render": { "participating_media": { ... } } of a scene. What stands at this level is the ray march's.
+struct MediaSettings {
     static constexpr std::string_view kName = "participating_media";
     bool enabled = true;
     Resolution resolution = Resolution::full;
@@ -18,19 +18,19 @@ struct MarchSettings {
     bool filter = true;
 };
 
-inline void describe(StructBuilder<MarchSettings>& d) {
-    d.doc("Ray-marched single scattering. The error falls with the number of steps, the time grows with it.");
-    d.field("enabled", &MarchSettings::enabled, "Off: media neither glow nor dim.");
-    d.field("resolution", &MarchSettings::resolution, "Half marches a quarter of the pixels and upsamples by depth.",
+inline void describe(StructBuilder<MediaSettings>& d) {
+    d.doc("Single scattering in media. The march's error falls with the number of steps, its time grows with it.");
+    d.field("enabled", &MediaSettings::enabled, "Off: media neither glow nor dim.");
+    d.field("resolution", &MediaSettings::resolution, "Half marches a quarter of the pixels and upsamples by depth.",
             {"full", "half"});
-    d.field("steps", &MarchSettings::steps,
+    d.field("steps", &MediaSettings::steps,
             "Steps over the part of a ray that lies in a medium and in a light's volume.")
         .range(1, 1024);
-    d.field("light_steps", &MarchSettings::light_steps,
+    d.field("light_steps", &MediaSettings::light_steps,
             "Samples on the way to a light through noise and grids; other densities need none.")
         .range(1, 256);
-    d.field("jitter", &MarchSettings::jitter, "Blue-noise offsets: fine grain instead of bands.");
-    d.field("filter", &MarchSettings::filter,
+    d.field("jitter", &MediaSettings::jitter, "Blue-noise offsets: fine grain instead of bands.");
+    d.field("filter", &MediaSettings::filter,
             "Averages 3x3 (at half resolution 5x5) marched pixels of like distance: takes the grain off, softens edges "
             "of shafts.");
 }

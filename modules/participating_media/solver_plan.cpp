@@ -1,0 +1,59 @@
+#include "solver_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "core/log.h"
+
+namespace tyndall::participating_media {
+namespace {
+
+struct SolverTraits {
+    std::string_view name;
+    /// Why it cannot express a term; empty when it can.
+    std::string (*cannot)(const RenderScene&, const Medium&, const Term&);
+};
+
+std::string can_all(const RenderScene&, const Medium&, const Term&) {
+    return {};
+}
+
+/// In the order of Solver.
+constexpr std::array<SolverTraits, kSolverCount> kTraits{{{"ray_marched", can_all}}};
+
+}  // namespace
+
+std::vector<std::string> solver_names() {
+    std::vector<std::string> names;
+    for (const SolverTraits& solver : kTraits) names.emplace_back(solver.name);
+    return names;
+}
+
+void SolverPlan::say_once(std::string text) {
+    if (said_.insert(text).second) log::info("participating_media: {}", text);
+}
+
+Solver SolverPlan::choose(const RenderScene& scene, const Medium& medium, const Term& term) {
+    const auto named = std::ranges::find(kTraits, medium.solver, &SolverTraits::name);
+    if (named == kTraits.end()) return Solver::ray_marched;  // auto
+    const std::string reason = named->cannot(scene, medium, term);
+    if (reason.empty()) return static_cast<Solver>(named - kTraits.begin());
+    say_once(fmt::format("{} {}: ray_marched renders it instead", medium.solver, reason));
+    return Solver::ray_marched;
+}
+
+void SolverPlan::update(const RenderScene& scene, const std::vector<Medium>& media) {
+    for (auto& terms : terms_) terms.clear();
+    const auto add = [&](const Term& term) {
+        terms_[static_cast<size_t>(choose(scene, media[term.medium], term))].push_back(term);
+    };
+    for (size_t medium = 0; medium < media.size(); ++medium) {
+        if (media[medium].sigma_s_per_m != glm::vec3(0.0f))
+            for (size_t light = 0; light < scene.lights.size(); ++light) add({Term::Source::light, light, medium});
+        if (media[medium].emission_cd_m2_per_m != glm::vec3(0.0f)) add({Term::Source::emission, 0, medium});
+    }
+}
+
+}  // namespace tyndall::participating_media
