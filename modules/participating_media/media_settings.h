@@ -7,6 +7,18 @@ namespace tyndall::participating_media {
 
 enum class Resolution { full, half };
 
+/// The solver analytic.
+struct AnalyticSettings {
+    int32_t nodes = 6;
+};
+
+inline void describe(StructBuilder<AnalyticSettings>& d) {
+    d.doc("Light that meets no shadow, by quadrature of a smooth integrand.");
+    d.field("nodes", &AnalyticSettings::nodes,
+            "Places on a ray. The error falls exponentially with their number, the time grows with it.")
+        .range(2, 64);
+}
+
 /// "render": { "participating_media": { ... } } of a scene. What stands at this level is the ray march's.
 struct MediaSettings {
     static constexpr std::string_view kName = "participating_media";
@@ -16,6 +28,7 @@ struct MediaSettings {
     int32_t light_steps = 8;
     bool jitter = true;
     bool filter = true;
+    AnalyticSettings analytic;
 };
 
 inline void describe(StructBuilder<MediaSettings>& d) {
@@ -33,6 +46,7 @@ inline void describe(StructBuilder<MediaSettings>& d) {
     d.field("filter", &MediaSettings::filter,
             "Averages 3x3 (at half resolution 5x5) marched pixels of like distance: takes the grain off, softens edges "
             "of shafts.");
+    d.field("analytic", &MediaSettings::analytic, "The solver analytic.");
 }
 
 }  // namespace tyndall::participating_media

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "analytic/analytic_pass.h"
 #include "core/log.h"
 
 namespace tyndall::participating_media {
@@ -21,7 +22,7 @@ std::string can_all(const RenderScene&, const Medium&, const Term&) {
 }
 
 /// In the order of Solver.
-constexpr std::array<SolverTraits, kSolverCount> kTraits{{{"ray_marched", can_all}}};
+constexpr std::array<SolverTraits, kSolverCount> kTraits{{{"ray_marched", can_all}, {"analytic", analytic_cannot}}};
 
 }  // namespace
 
