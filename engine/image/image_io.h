@@ -37,12 +37,16 @@ struct ImageSize {
 /// and for a layer that is not there (with the nearest name) or has more channels.
 [[nodiscard]] Image load_layer(const std::filesystem::path& file, std::string_view layer);
 
+/// A picture file's text attribute, or an empty text. Throws Error as load_image does.
+[[nodiscard]] std::string load_text_attribute(const std::filesystem::path& file, const std::string& name);
+
 /// Writes an 8- or 16-bit picture of 1 to 4 channels, atomically. Throws Error for another type or when it cannot be
 /// written.
 void save_png(const std::filesystem::path& file, const Image& image);
 
 struct ExrOptions {
-    bool half = false;                                          ///< 16-bit floats, else 32
+    bool half = false;                                          ///< 16-bit floats, else 32 ...
+    std::vector<std::string> full_channels;                     ///< ... which these channels keep
     std::vector<std::string> channel_names;                     ///< one for each channel; empty: Y, YA, RGB or RGBA
     std::vector<std::pair<std::string, std::string>> metadata;  ///< text attributes
 };

@@ -178,4 +178,11 @@ ImageSize load_image_size(const std::filesystem::path& file) {
     });
 }
 
+std::string load_text_attribute(const std::filesystem::path& file, const std::string& name) {
+    return guarded(file.string(), [&] {
+        const Reader reader = open_file(file, false);
+        return std::string(reader.spec().get_string_attribute(name));
+    });
+}
+
 }  // namespace tyndall

@@ -1,6 +1,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "core/error.h"
@@ -64,6 +65,11 @@ void save_exr(const std::filesystem::path& file, const Image& image, const ExrOp
              std::to_string(image.channels) + ", one for each channel");
     for (int i = 0; i < image.channels; ++i)
         if (spec.channelnames[static_cast<size_t>(i)] == "A") spec.alpha_channel = i;
+    if (options.half && !options.full_channels.empty())
+        for (const std::string& name : spec.channelnames)
+            spec.channelformats.push_back(std::ranges::find(options.full_channels, name) == options.full_channels.end()
+                                              ? OIIO::TypeHalf
+                                              : OIIO::TypeFloat);
     save(file, "openexr", spec, image);
 }
 

@@ -4,10 +4,12 @@
 
 #include <cstdio>
 
+#include "capture_report.h"
 #include "commands.h"
 #include "core/error.h"
 #include "core/paths.h"
 #include "image/image_io.h"
+#include "retrace.h"
 
 namespace tyndall {
 namespace fs = std::filesystem;
@@ -17,7 +19,7 @@ struct CaptureOptions {
     SceneOptions scene;
     std::vector<std::string> files;
     std::string out = "out";
-    std::string size;
+    std::string size, retrace, report, history;
     int frames = 0;
     int supersample = 1;
     bool all_cameras = false, png = false, exr = false;
@@ -46,6 +48,7 @@ class Run {
             else
                 scene(file);
         }
+        if (!options_.report.empty()) write_report();
         if (failed_ > 0)
             fmt::print("{} of {} expectations failed\n", failed_, judged_);
         else if (judged_ > 0)
@@ -79,7 +82,9 @@ class Run {
             std::map<std::string, CapturedPicture> pictures;
             for (const CaptureVariant& variant : file.variants)
                 pictures[variant.name] = variant_picture(file, variant, camera, stem);
-            report(judge(file, pictures), stem);
+            std::vector<Verdict> verdicts = judge(file, pictures, camera);
+            print(verdicts, stem);
+            if (!options_.report.empty()) report_.add(file, stem.filename().string(), verdicts);
         }
     }
 
@@ -126,7 +131,13 @@ class Run {
         return picture;
     }
 
-    void report(const std::vector<Verdict>& verdicts, const fs::path& stem) {
+    void write_report() {
+        const platform::GlInfo& gl = context_->gl_info();
+        report_.write(options_.report, options_.history, {{"GL", gl.renderer + ", " + gl.version}});
+        fmt::print("report: {}\n", (fs::path(options_.report) / "index.html").string());
+    }
+
+    void print(const std::vector<Verdict>& verdicts, const fs::path& stem) {
         for (size_t i = 0; i < verdicts.size(); ++i) {
             const Verdict& verdict = verdicts[i];
             const char* mark = verdict.outcome == Verdict::Outcome::held     ? "ok     "
@@ -149,8 +160,19 @@ class Run {
     std::unique_ptr<platform::Context> context_;  // outlives the engine
     Engine engine_;
     size_t planned_ = 0, taken_ = 0;  ///< pictures of the file at hand
+    CaptureReport report_;
     int judged_ = 0, failed_ = 0, skipped_ = 0;
 };
+
+/// Makes the references of capture files again.
+int retrace_all(const CaptureOptions& options) {
+    for (const std::string& file : options.files) {
+        if (!is_capture(paths::read_file(file)))
+            throw Error(Diagnostic{{file}, "is no capture file, and has no references to trace"});
+        retrace(load_capture(file), options.retrace, options.scene.ocio);
+    }
+    return 0;
+}
 
 }  // namespace
 
@@ -168,14 +190,25 @@ void add_capture(CLI::App& app, Command& command) {
     sub->add_flag("--all-cameras", options->all_cameras, "A picture from each camera of the scene");
     sub->add_flag("--png", options->png, "Only the display picture (and its .json)");
     sub->add_flag("--exr", options->exr, "Only the scene-linear picture (and its .json)");
+    sub->add_option("--report", options->report, "Folder for an HTML report of what was judged");
+    sub->add_option("--history", options->history, "File of the report's past runs; otherwise history.jsonl in it");
+    CLI::Option* retrace = sub->add_flag("--retrace{changed}", options->retrace,
+                                         "Only trace the references of capture files again: those that changed, or "
+                                         "--retrace=all, or --retrace=NAME");
     options->scene.add_to(*sub);
+    for (const char* other : {"--set", "--camera", "--path", "--view", "--size", "--frames", "--supersample",
+                              "--all-cameras", "--png", "--exr", "--report"})
+        retrace->excludes(sub->get_option(other));
     sub->footer(
         "Exit code 1: an expectation failed, or something of a scene could not be read.\n\n"
         "  tyndall capture assets/chapel/chapel.json --all-cameras --size 1920x1080\n"
         "  tyndall capture assets/scenes/still_life.json --path light_pre_pass --view light_diffuse\n"
         "  tyndall capture scene.json --set /entities/Sun/directional_light/illuminance_lux=20000\n"
-        "  tyndall capture tests/captures/*.json\n");
-    sub->callback([options, &command] { command = [options] { return Run(*options).all(); }; });
+        "  tyndall capture tests/captures/*.json --report out/report\n"
+        "  tyndall capture --retrace modules/participating_media/captures/*.json\n");
+    sub->callback([options, &command] {
+        command = [options] { return options->retrace.empty() ? Run(*options).all() : retrace_all(*options); };
+    });
 }
 
 }  // namespace tyndall
