@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <nlohmann/json.hpp>
 
 #include "app/reference_recipe.h"
 #include "core/error.h"
@@ -85,6 +82,8 @@ fs::path file_of(const CaptureFile& capture, const TracedReference& reference) {
 
 void save_reference(const fs::path& file, const NoisyPicture& picture, const std::string& recipe, int64_t samples,
                     int32_t seed) {
+    if (picture.variance.value_count() != picture.radiance.value_count())
+        throw Error(Diagnostic{{file.string()}, "a reference without a variance: nothing was written"});
     if (const std::string broken = broken_at(picture); !broken.empty())
         throw Error(Diagnostic{{file.string()}, broken + ": nothing was written"});
     NoisyPicture rounded = picture;

@@ -59,7 +59,7 @@ reference::Film trace(const RenderScene& scene, const CaptureFile& capture, cons
     for (int64_t batch = 0; film.samples() + film.batch() <= wanted.samples; ++batch) {
         (void)tracer.add_batch(film, batch, [] { return false; });
         if (film.batches() >= kBatchesForNoise && film.noise() <= static_cast<double>(wanted.noise)) break;
-        if (Clock::now() - shown < std::chrono::seconds(10)) continue;
+        if (film.batches() < 2 || Clock::now() - shown < std::chrono::seconds(10)) continue;
         shown = Clock::now();
         fmt::print(stderr, "{}: {} of at most {} samples, noise {:.2f} %\n", wanted.name, film.samples(),
                    wanted.samples, 100.0 * film.noise());
