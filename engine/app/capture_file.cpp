@@ -143,7 +143,8 @@ class Check {
     void reference(const TracedReference& reference, const std::string& pointer) {
         const std::filesystem::path name = reference.name;
         if (name.empty() || name.has_parent_path() || reference.name.starts_with('.'))
-            add(pointer + "/name", "'" + reference.name + "' names no file", "a file name without folder and extension");
+            add(pointer + "/name", "'" + reference.name + "' names no file",
+                "a file name without folder and extension");
         known(pointer, reference.variant, variants_, "variant");
         const std::vector<int32_t>& orders = reference.orders;
         if (!orders.empty() && (orders.size() != 2 || orders[0] < 0 || orders[1] < orders[0]))

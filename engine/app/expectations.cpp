@@ -168,7 +168,8 @@ class Judge {
         verdict_.compared.push_back(std::move(found));
     }
 
-    void limit(Compared& found, const char* what, const char* metric, double value, float limit, bool at_least = false) {
+    void limit(Compared& found, const char* what, const char* metric, double value, float limit,
+               bool at_least = false) {
         if (limit < 0.0f) return;
         const auto bound = static_cast<double>(limit);
         found.limits.push_back({metric, value, bound, at_least, at_least ? value >= bound : value <= bound});

@@ -44,8 +44,8 @@ struct Compared {
 /// The outcome of one expectation.
 struct Verdict {
     enum class Outcome { held, failed, skipped } outcome = Outcome::held;
-    std::string text;               ///< one line: what was measured against which limit, and why the limit
-    Image heat_map;                 ///< where it differs most; empty without a comparison
+    std::string text;                ///< one line: what was measured against which limit, and why the limit
+    Image heat_map;                  ///< where it differs most; empty without a comparison
     std::vector<Compared> compared;  ///< all that the expectation holds the picture against
 };
 

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "app/engine.h"
-#include "app/stored_reference.h"
 #include "core/paths.h"
 #include "scene/scene_file.h"
 
@@ -100,9 +99,9 @@ std::string difference_of_recipes(const std::string& stored, const std::string& 
     for (const auto& [key, value] : now.items()) {
         const Json before = was.value(key, Json());
         if (before == value) continue;
-        const std::string what = key == "scene" || key == "files" ? key + " changed"
-                                                                   : fmt::format("{} was {}, is {}", key, before.dump(),
-                                                                                 value.dump());
+        const std::string what = key == "scene" || key == "files"
+                                     ? key + " changed"
+                                     : fmt::format("{} was {}, is {}", key, before.dump(), value.dump());
         differences += (differences.empty() ? "" : "; ") + what;
     }
     return differences.empty() ? "" : "the reference was traced from another recipe: " + differences;

@@ -120,10 +120,10 @@ NoisyPicture load_reference(const CaptureFile& capture, const TracedReference& r
     const glm::ivec2 size = size_of(capture, reference);
     for (const Image* image : {&picture.radiance, &picture.variance})
         if (image->width != size.x || image->height != size.y || image->channels != 3)
-            throw Error(Diagnostic{{file.string()},
-                                   fmt::format("a picture of {}x{} pixels and {} channels", image->width,
-                                               image->height, image->channels),
-                                   fmt::format("{}x{} pixels and 3 channels: {}", size.x, size.y, advice(capture))});
+            throw Error(Diagnostic{
+                {file.string()},
+                fmt::format("a picture of {}x{} pixels and {} channels", image->width, image->height, image->channels),
+                fmt::format("{}x{} pixels and 3 channels: {}", size.x, size.y, advice(capture))});
     if (const std::string broken = broken_at(picture); !broken.empty())
         throw Error(Diagnostic{{file.string()}, broken, "finite numbers: " + advice(capture)});
     return picture;

@@ -20,16 +20,6 @@ namespace tyndall {
 /// NAME.exr beside the capture file.
 [[nodiscard]] std::filesystem::path file_of(const CaptureFile& capture, const TracedReference& reference);
 
-/// What a reference is to be made from, as JSON: the scene with its changes, but not how it is rendered ("render" but
-/// for the camera, "description"); the content of the files that it names; camera, size, and what is traced. Spaces
-/// and the order of keys do not matter. Throws Error for a scene that cannot be read.
-[[nodiscard]] std::string recipe_of(const CaptureFile& capture, const TracedReference& reference);
-
-/// The changes of the scene that is traced, in order, as `--set`.
-[[nodiscard]] std::vector<std::string> changes_of(const CaptureFile& capture, const TracedReference& reference);
-/// Width and height of a reference.
-[[nodiscard]] glm::ivec2 size_of(const CaptureFile& capture, const TracedReference& reference);
-
 /// Writes a reference, atomically. Throws Error when it cannot be written, and for values that are not finite.
 void save_reference(const std::filesystem::path& file, const NoisyPicture& picture, const std::string& recipe,
                     int64_t samples, int32_t seed);

@@ -80,7 +80,8 @@ TEST_F(StoredReference, RecipeIsOfWhatIsTraced) {
     EXPECT_NE(difference_of_recipes(before, recipe()).find(R"(camera was "", is "Eye")"), std::string::npos);
     capture_.variants.front().set.clear();
     write("table.raw", "1235");
-    EXPECT_NE(difference_of_recipes(before, recipe()).find("files changed"), std::string::npos) << "a file that a file names";
+    EXPECT_NE(difference_of_recipes(before, recipe()).find("files changed"), std::string::npos)
+        << "a file that a file names";
     write("table.raw", "1234");
     EXPECT_EQ(difference_of_recipes(before, recipe()), "");
     capture_.references.front().single_scattering = true;
@@ -95,16 +96,19 @@ TEST_F(StoredReference, KeepsWhatItsNoiseLeavesWorthKeeping) {
         const ZTest z = z_test(picture, {kept.radiance, kept.variance});
         double most = 0.0, sum = 0.0, kept_sum = 0.0;
         for (size_t i = 0; i < picture.radiance.value_count(); ++i) {
-            const auto was = static_cast<double>(picture.radiance.floats()[i]), is = static_cast<double>(kept.radiance.floats()[i]);
-            const double step = std::max(std::sqrt(static_cast<double>(picture.variance.floats()[i])) / 2, std::abs(was) / 1024);
+            const auto was = static_cast<double>(picture.radiance.floats()[i]),
+                       is = static_cast<double>(kept.radiance.floats()[i]);
+            const double step =
+                std::max(std::sqrt(static_cast<double>(picture.variance.floats()[i])) / 2, std::abs(was) / 1024);
             most = std::max(most, std::abs(is - was) / step);
             sum += was;
             kept_sum += is;
             EXPECT_GE(kept.variance.floats()[i], 0.95f * picture.variance.floats()[i]);
         }
         const auto bytes = std::filesystem::file_size(file_of(capture_, capture_.references.front()));
-        std::printf("scale %g: %zu bytes of %zu, mean off by %.2g, at most %.2f steps, Z-test p %.3g\n", static_cast<double>(scale),
-                    static_cast<size_t>(bytes), picture.radiance.value_count() * 8, std::abs(kept_sum / sum - 1), most, z.p);
+        std::printf("scale %g: %zu bytes of %zu, mean off by %.2g, at most %.2f steps, Z-test p %.3g\n",
+                    static_cast<double>(scale), static_cast<size_t>(bytes), picture.radiance.value_count() * 8,
+                    std::abs(kept_sum / sum - 1), most, z.p);
         EXPECT_LE(most, 1.001);
         EXPECT_LT(std::abs(kept_sum / sum - 1), 2e-4);
         EXPECT_GT(z.p, 0.01) << "also where there was no noise: the sky";
@@ -113,7 +117,9 @@ TEST_F(StoredReference, KeepsWhatItsNoiseLeavesWorthKeeping) {
 }
 
 TEST_F(StoredReference, SaysWhatIsWrongWithAFile) {
-    EXPECT_NE(problem().find("truth.exr: the reference 'truth' is not there (expected run tyndall capture --retrace"), std::string::npos) << problem();
+    EXPECT_NE(problem().find("truth.exr: the reference 'truth' is not there (expected run tyndall capture --retrace"),
+              std::string::npos)
+        << problem();
     store(noisy(1));
     EXPECT_EQ(problem(), "none");
     capture_.references.front().samples = 128;
@@ -157,7 +163,8 @@ TEST_F(StoredReference, Judges) {
     EXPECT_EQ(held.compared.front().backing, Backing::truth);
     EXPECT_EQ(off.outcome, Verdict::Outcome::failed) << off.text;
     EXPECT_NE(off.text.find("Z-test p"), std::string::npos) << off.text;
-    EXPECT_EQ(judge(capture_, {{"a", same}}, "Other").front().outcome, Verdict::Outcome::skipped) << "another camera's view";
+    EXPECT_EQ(judge(capture_, {{"a", same}}, "Other").front().outcome, Verdict::Outcome::skipped)
+        << "another camera's view";
 
     save_exr(folder_ / "old.exr", truth.radiance);
     capture_.expect = {{.of = "a", .reference = "old.exr", .baseline = true, .max_relmse = 0.0f}};
@@ -174,7 +181,8 @@ TEST_F(StoredReference, Judges) {
 }
 
 std::string problems_of(const std::filesystem::path& folder, const std::string& rest) {
-    std::ofstream(folder / "c.json") << R"({"tyndall_capture": 1, "scene": "s.json", "variants": [{"name": "a"}], )" + rest + "}";
+    std::ofstream(folder / "c.json") << R"({"tyndall_capture": 1, "scene": "s.json", "variants": [{"name": "a"}], )" +
+                                            rest + "}";
     try {
         (void)load_capture(folder / "c.json");
     } catch (const Error& error) {
@@ -189,15 +197,18 @@ TEST_F(StoredReference, CaptureFilesAreChecked) {
         EXPECT_NE(said.find(words), std::string::npos) << rest << "\n" << said;
     };
     says(R"("references": [{"name": "t"}], "expect": [{"of": "a", "traced": "t", "max_relmse": 1}])", "none");
-    says(R"("references": [{"name": "truth"}], "expect": [{"of": "a", "traced": "trut", "max_relmse": 1}])", "/expect/0: unknown reference 'trut' (expected a name from /references; did you mean 'truth'?)");
+    says(R"("references": [{"name": "truth"}], "expect": [{"of": "a", "traced": "trut", "max_relmse": 1}])",
+         "/expect/0: unknown reference 'trut' (expected a name from /references; did you mean 'truth'?)");
     says(R"("references": [{"name": "../t"}])", "/references/0/name");
     says(R"("references": [{"name": "t"}, {"name": "t"}])", "two references are named 't'");
     says(R"("references": [{"name": "t", "variant": "b"}])", "unknown variant 'b'");
     says(R"("references": [{"name": "t", "orders": [2, 1]}])", "/references/0/orders");
     says(R"("references": [{"name": "t", "size": [10, 0]}])", "/references/0/size");
-    says(R"("references": [{"name": "t", "orders": [0, 1], "single_scattering": true}])", "both orders and single_scattering");
+    says(R"("references": [{"name": "t", "orders": [0, 1], "single_scattering": true}])",
+         "both orders and single_scattering");
     says(R"("cameras": ["A", "B"], "references": [{"name": "t"}])", "which of the capture's cameras");
-    says(R"("expect": [{"of": "a", "reference": "old.exr", "max_relmse": 1}])", "/expect/0: no truth backs the picture 'old.exr'");
+    says(R"("expect": [{"of": "a", "reference": "old.exr", "max_relmse": 1}])",
+         "/expect/0: no truth backs the picture 'old.exr'");
     says(R"("expect": [{"of": "a", "reference": "old.exr", "baseline": true, "max_relmse": 1}])", "none");
     says(R"("expect": [{"of": "a", "baseline": true}])", "/expect/0/baseline");
     says(R"("expect": [{"of": "a", "max_relmse": 1}])", "nothing that the picture is held against");

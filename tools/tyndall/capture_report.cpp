@@ -18,18 +18,20 @@ report::Kind kind_of(Backing backing) {
 }
 
 const char* word_of(Verdict::Outcome outcome) {
-    return outcome == Verdict::Outcome::held     ? "held"
-           : outcome == Verdict::Outcome::failed ? "FAILED"
-                                                 : "skipped";
+    return outcome == Verdict::Outcome::held ? "held" : outcome == Verdict::Outcome::failed ? "FAILED" : "skipped";
 }
 
 std::string escaped(const std::string& text) {
     std::string html;
     for (const char c : text) {
-        if (c == '<') html += "&lt;";
-        else if (c == '>') html += "&gt;";
-        else if (c == '&') html += "&amp;";
-        else html += c;
+        if (c == '<')
+            html += "&lt;";
+        else if (c == '>')
+            html += "&gt;";
+        else if (c == '&')
+            html += "&amp;";
+        else
+            html += c;
     }
     return html;
 }

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/engine.h"
+#include "app/reference_recipe.h"
 #include "app/stored_reference.h"
 #include "core/error.h"
 #include "core/paths.h"
