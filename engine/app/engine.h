@@ -85,6 +85,8 @@ class Engine {
     [[nodiscard]] const RenderScene& scene() const { return scene_; }
     [[nodiscard]] const std::filesystem::path& scene_path() const { return scene_path_; }
     [[nodiscard]] std::string scene_text() const { return scene_file_.text(); }
+    /// The files that assets were read from, this scene's and those of scenes that were loaded before it.
+    [[nodiscard]] std::vector<std::filesystem::path> asset_files() const { return assets_.files(); }
 
  private:
     void use_modules(const std::vector<std::string>& wanted);

@@ -277,16 +277,18 @@ bool AssetStore::reload_changed() {
     return any;
 }
 
+std::vector<fs::path> AssetStore::files() const {
+    std::vector<fs::path> all;
+    self_->each([&](const auto& cache) { cache.add_sources(all); });
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
 void AssetStore::collect() {
-    std::vector<fs::path> before;
-    std::vector<fs::path> after;
-    const auto sources = [&](std::vector<fs::path>& all) {
-        self_->each([&](const auto& cache) { cache.add_sources(all); });
-        std::ranges::sort(all);
-    };
-    sources(before);
+    const std::vector<fs::path> before = files();
     self_->each([](auto& cache) { cache.collect(); });
-    sources(after);
+    const std::vector<fs::path> after = files();
     for (const fs::path& file : before)
         if (!std::ranges::binary_search(after, file)) self_->watch.remove(file);
 }

@@ -61,6 +61,8 @@ class AssetStore {
     bool reload_changed();
     /// Frees what nobody but the store holds.
     void collect();
+    /// The files that everything in the store was read from, each once, sorted.
+    [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
  private:
     struct Implementation;

@@ -18,6 +18,7 @@
 #include "image/image_io.h"
 #include "reference/trace.h"
 #include "trace_recipe.h"
+#include "traced_reference.h"
 
 namespace tyndall {
 namespace fs = std::filesystem;
@@ -78,14 +79,6 @@ Share share_of(const TraceOptions& options, int batch) {
     return share;
 }
 
-/// Long sequences leave less error, but it takes a few batches to know how much: at least four.
-int batch_for(int64_t spp) {
-    if (spp == 0) return 16;
-    int batch = 1;
-    while (batch < 256 && batch * 8 <= spp) batch *= 2;
-    return batch;
-}
-
 reference::TraceSettings settings_of(const TraceOptions& options) {
     reference::TraceSettings settings;
     settings.size = parse_size(options.size);
@@ -110,19 +103,13 @@ reference::TraceSettings settings_of(const TraceOptions& options) {
 class TraceRun {
  public:
     TraceRun(const TraceOptions& options) : options_(options), engine_(false, options.scene.ocio) {
-        const Assignments changes = options.scene.changes();
-        engine_.load_scene(options.file, changes);
-        engine_.select_camera(options.scene.camera);
+        const RenderScene& scene =
+            load_for_tracing(engine_, options.file, options.scene.changes(), options.scene.camera);
         reference::TraceSettings settings = settings_of(options);
         if (options.resume && fs::exists(options.output())) {
             film_ = Film::load(options.output());
             settings.batch = film_->batch();
         }
-        const RenderScene& scene = engine_.extract();
-        if (!engine_.unmade().empty()) throw Error(engine_.unmade());
-        if (const std::string problem = engine_.problems(); !problem.empty())
-            throw Error("nothing was traced, since a part of the scene is missing: " + problem);
-        if (scene.cameras.empty()) throw Error(options.file + ": the scene has no camera to trace from");
         share_ = share_of(options, settings.batch);
         tracer_ = std::make_unique<Tracer>(scene, settings);
         Film fresh = tracer_->film(trace_recipe(engine_, options.scene.camera, settings));

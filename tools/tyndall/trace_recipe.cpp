@@ -2,23 +2,45 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
+
+#include "core/paths.h"
 
 namespace tyndall {
 namespace {
 
-uint64_t fnv1a(std::string_view text) {
-    uint64_t hash = 0xcbf29ce484222325ull;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-    return hash;
+using Json = nlohmann::ordered_json;
+
+/// Counted up when the tracer gives another picture of the same scene and settings, beyond noise.
+constexpr int kTracerVersion = 1;
+
+/// [name, hash of the content] of each file: where it lies does not matter.
+Json content_of(std::vector<std::filesystem::path> files) {
+    Json all = Json::array();
+    for (const std::filesystem::path& file : files)
+        all.push_back({file.filename().string(), recipe_hash(paths::read_file(file))});
+    std::sort(all.begin(), all.end());
+    return all;
 }
 
 }  // namespace
 
-std::string trace_recipe(Engine& engine, const std::string& camera, const reference::TraceSettings& settings) {
-    nlohmann::ordered_json recipe;
+std::string recipe_hash(std::string_view recipe) {
+    uint64_t hash = 0xcbf29ce484222325ull;  // FNV-1a
+    for (const char c : recipe) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
+    return fmt::format("{:016x}", hash);
+}
+
+std::string trace_recipe(const Engine& engine, const std::string& camera, const reference::TraceSettings& settings) {
+    std::vector<std::filesystem::path> files = engine.asset_files();
+    files.push_back(engine.color().file());
+    Json recipe;
+    recipe["tracer"] = kTracerVersion;
     recipe["scene"] = engine.scene_path().filename().string();
-    recipe["scene_hash"] = fmt::format("{:016x}", fnv1a(engine.scene_text()));
+    recipe["scene_hash"] = recipe_hash(engine.scene_text());
+    recipe["files"] = content_of(std::move(files));
     recipe["camera"] = camera;
     recipe["size"] = {settings.size.x, settings.size.y};
     recipe["seed"] = settings.seed;

@@ -8,9 +8,13 @@
 
 namespace tyndall {
 
-/// The scene's text with its changes, the camera and the settings, as JSON: films with the same recipe can be added,
-/// and a cached reference with the same recipe is still right. Assets count by name only.
-[[nodiscard]] std::string trace_recipe(Engine& engine, const std::string& camera,
+/// The scene's text with its changes, the content of its assets and of the OpenColorIO configuration, the camera and
+/// the settings, as JSON: films with the same recipe can be added, and a cached reference with the same recipe is still
+/// right. The engine has extracted the scene, and loaded no other before it, whose assets would count as well.
+[[nodiscard]] std::string trace_recipe(const Engine& engine, const std::string& camera,
                                        const reference::TraceSettings& settings);
+
+/// A short name for a recipe: 16 hexadecimal digits.
+[[nodiscard]] std::string recipe_hash(std::string_view recipe);
 
 }  // namespace tyndall
