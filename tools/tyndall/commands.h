@@ -21,6 +21,7 @@ void add_bench(CLI::App& app, Command& command);
 void add_trace(CLI::App& app, Command& command);
 void add_merge(CLI::App& app, Command& command);
 void add_compare(CLI::App& app, Command& command);
+void add_measure(CLI::App& app, Command& command);
 void add_schema(CLI::App& app, Command& command);
 void add_validate(CLI::App& app, Command& command);
 void add_modules(CLI::App& app, Command& command);

@@ -73,17 +73,6 @@ void save(const Film& film, const fs::path& file) {
 
 }  // namespace
 
-Film traced_film(const TraceRequest& request, const TraceWatch& watch) {
-    Engine engine(false);
-    const RenderScene& scene = load_for_tracing(engine, request.scene, request.changes, request.camera);
-    reference::TraceSettings settings = request.settings;
-    settings.batch = batch_for(request.samples);
-    const Tracer tracer(scene, settings);
-    Film film = tracer.film(trace_recipe(engine, request.camera, settings));
-    go_on(tracer, film, request.samples, watch, [] {});
-    return film;
-}
-
 FilmCache::Found FilmCache::film(const TraceRequest& request, const TraceWatch& watch) const {
     Engine engine(false);
     const RenderScene& scene = load_for_tracing(engine, request.scene, request.changes, request.camera);

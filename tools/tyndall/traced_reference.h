@@ -36,9 +36,6 @@ struct TraceWatch {
 const RenderScene& load_for_tracing(Engine& engine, const std::filesystem::path& scene, const Assignments& changes,
                                     const std::string& camera);
 
-/// Traces a film from its beginning. When it was cancelled it has fewer samples than wanted. Throws Error.
-[[nodiscard]] reference::Film traced_film(const TraceRequest& request, const TraceWatch& watch = {});
-
 /// A folder of films by their recipes.
 class FilmCache {
  public:
