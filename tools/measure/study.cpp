@@ -67,6 +67,7 @@ class Check {
         changes(pointer + "/set", scene.set);
         changes(pointer + "/subtract", scene.subtract);
         changes(pointer + "/reference/set", scene.reference.set);
+        changes(pointer + "/reference/subtract", scene.reference.subtract);
         if (scene.reference.max_order >= 0 && scene.reference.min_order > scene.reference.max_order)
             add(pointer + "/reference/max_order", "is below min_order", "at least it, or -1");
     }

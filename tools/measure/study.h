@@ -19,6 +19,7 @@ struct Reference {
     bool surfaces = true;
     bool media = true;
     std::vector<std::string> set;
+    std::vector<std::string> subtract;
     std::string file;     ///< in place of a trace; "references:NAME", or relative to the study
     float noise = -1.0f;  ///< of a file without a variance; negative = unknown
 };

@@ -13,6 +13,8 @@ void describe(StructBuilder<Reference>& d) {
     d.field("surfaces", &Reference::surfaces, "Off: surfaces are black, for the media's light alone.");
     d.field("media", &Reference::media, "Off: media only absorb and emit.");
     d.field("set", &Reference::set, "Changes for the tracer alone, beside those of the scene.");
+    d.field("subtract", &Reference::subtract,
+            "Changes that leave of the trace what is not compared: that film is subtracted, and the variances add up.");
     d.field("file", &Reference::file,
             "A scene-linear picture in place of a trace: beside the study, or references:NAME.");
     d.field("noise", &Reference::noise,

@@ -76,11 +76,16 @@ std::string about(const Reference& reference, int64_t samples) {
     return text;
 }
 
+/// to += factor * what.
+void combine(Image& to, const Image& what, float factor) {
+    for (size_t i = 0; i < to.value_count(); ++i) to.floats()[i] += factor * what.floats()[i];
+}
+
 }  // namespace
 
 Truth truth_of(const Study& study, const StudyScene& scene, const FilmCache& films, const TraceWatch& watch) {
     if (!scene.reference.file.empty()) return loaded(study, scene);
-    const TraceRequest request = request_of(study, scene);
+    TraceRequest request = request_of(study, scene);
     FilmCache::Found found = films.film(request, watch);
     Truth truth;
     truth.complete = found.film.samples() >= request.samples;
@@ -88,6 +93,15 @@ Truth truth_of(const Study& study, const StudyScene& scene, const FilmCache& fil
     truth.about = about(scene.reference, found.film.samples());
     truth.identity = fmt::format("{} {}", found.film.recipe(), found.film.samples());
     truth.problem = std::move(found.problem);
+    if (scene.reference.subtract.empty() || !truth.complete) return truth;
+    for (const auto& change : assignments(scene.reference.subtract)) request.changes.push_back(change);
+    found = films.film(request, watch);
+    truth.complete = found.film.samples() >= request.samples;
+    combine(truth.picture.radiance, found.film.radiance(), -1.0f);
+    combine(truth.picture.variance, found.film.variance(), 1.0f);
+    truth.about += ", less what is not compared";
+    truth.identity += fmt::format(" less {} {}", found.film.recipe(), found.film.samples());
+    truth.problem += std::move(found.problem);
     return truth;
 }
 
