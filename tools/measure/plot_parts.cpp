@@ -43,12 +43,12 @@ const char* plot_style() {
 .tp-s0{color:#1f5fa8}.tp-s1{color:#c2410c}.tp-s2{color:#1b7f4b}.tp-s3{color:#7b3fa0}.tp-s4{color:#8a6d00}.tp-s5{color:#0f7490}
 g[class^=tp-s]{fill:currentColor;stroke:currentColor;stroke-width:1.4}
 g.tp-hollow{fill:#fff}
-.tp-label{fill:currentColor;font-size:11.5px;font-variant-numeric:tabular-nums}
+.tp-label{fill:currentColor;font-size:11.5px;font-variant-numeric:tabular-nums;stroke:#fff;stroke-width:3px;stroke-linejoin:round;paint-order:stroke}
 @media (prefers-color-scheme:dark){
 .tp-ground{fill:#1f2123}.tp-ink{fill:#e6e6e3}.tp-quiet{fill:#a9adb1}
 .tp-grid{stroke:#3a3d40}.tp-minor{stroke:#2a2c2f}.tp-frame{stroke:#777b80}.tp-front{stroke:#b9bdc1}
 .tp-s0{color:#84b6f0}.tp-s1{color:#ff9a62}.tp-s2{color:#6fd49b}.tp-s3{color:#c99af0}.tp-s4{color:#e0c04c}.tp-s5{color:#67cfe3}
-g.tp-hollow{fill:#1f2123}
+g.tp-hollow{fill:#1f2123}.tp-label{stroke:#1f2123}
 }
 )";
 }
@@ -95,7 +95,7 @@ Legend legend_of(const Plot& plot, double left, double right) {
                            at + 9, line);
     });
     if (hollow)
-        next("hollow: no more than the reference's noise", [](double at, double line) {
+        next("hollow: within twice the reference's noise", [](double at, double line) {
             return fmt::format("<g class=\"tp-s0 tp-hollow\">{}</g>", marker(0, at, line));
         });
     legend.height = y - 50 + kLine;

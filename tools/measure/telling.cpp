@@ -151,11 +151,13 @@ Plot plot_of(const Results& results, const SceneResults& scene, const std::strin
     plot.title = scene.name + ": " + label_of(metric) + " against time";
     plot.x_label = clock_label(results);
     plot.y_label = label_of(metric);
+    int below = 0;
     if (metric == "relmse") plot.noise_floor = std::max(scene.noise_floor, 0.0);
     for (const Row& row : scene.rows) {
         const auto cost = cost_of(results, row);
         const auto error = row.metrics.find(metric);
         if (!cost || error == row.metrics.end()) continue;
+        below += *cost <= 0 ? 1 : 0;
         if (plot.series.empty() || plot.series.back().name != row.technique) plot.series.push_back({row.technique});
         PlotSeries& series = plot.series.back();
         PlotPoint point{*cost, error->second};
@@ -168,6 +170,8 @@ Plot plot_of(const Results& results, const SceneResults& scene, const std::strin
             if (!name.empty() && plot.note.find(name) == std::string::npos)
                 plot.note += (plot.note.empty() ? "beside the markers: " : ", ") + name;
     }
+    if (below > 0)
+        plot.note += fmt::format("{}not drawn: {} of no measurable cost", plot.note.empty() ? "" : "; ", below);
     plot.description = fmt::format("{} over {} on logarithmic axes; {}.", plot.y_label, plot.x_label, about(scene));
     return plot;
 }

@@ -55,6 +55,13 @@ std::map<std::string, double> judged(const Comparison& comparison, const std::st
     return metrics;
 }
 
+/// What an error says, without the line breaks at its end.
+std::string line_of(const Error& error) {
+    std::string text = error.what();
+    while (text.ends_with('\n')) text.pop_back();
+    return text;
+}
+
 std::string machine() {
     std::string model = "unknown processor";
     try {
@@ -104,7 +111,8 @@ bool StudyRun::measure_scene(const StudyScene& scene) {
         if (!truth.problem.empty()) log::warning("{}", truth.problem);
         fmt::print("{}: reference {}\n", scene.name, truth.about);
     } catch (const Error& error) {
-        problem = std::string("no reference: ") + error.what();
+        problem = "no reference: " + line_of(error);
+        fmt::print("{}: {}\n", scene.name, problem);
     }
     results.reference = truth.about;
     Engine engine(true);  // a fresh one: memory is then this scene's alone
@@ -150,7 +158,7 @@ MeasuredRow StudyRun::measured(const Run& run, Engine& engine, const Truth& trut
         if (!run.baseline) compare(run, engine, truth, row);
     } catch (const Error& error) {
         row = {};
-        row.row.problem = error.what();
+        row.row.problem = line_of(error);
     }
     return row;
 }
@@ -207,7 +215,10 @@ std::string StudyRun::key_of(const Run& run, const Truth& truth) const {
 }
 
 void StudyRun::tell(const Row& row, bool kept) {
-    std::string what = row.problem.empty() ? fmt::format("{:.1f} ms", row.ms) : "FAILED: " + row.problem;
+    const bool told = row.problem.starts_with("no reference: ");  // of the whole scene
+    std::string what = row.problem.empty() ? fmt::format("{:.1f} ms", row.ms)
+                       : told              ? "FAILED"
+                                           : "FAILED: " + row.problem;
     for (const std::string& metric : study_.plots)
         if (const auto found = row.metrics.find(metric); found != row.metrics.end())
             what += fmt::format(", {} {:.3g}", metric, found->second);

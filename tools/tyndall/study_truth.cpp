@@ -67,10 +67,10 @@ TraceRequest request_of(const Study& study, const StudyScene& scene) {
 std::string about(const Reference& reference, int64_t samples) {
     std::string text = fmt::format("traced with {} samples a pixel", samples);
     if (reference.min_order > 0 || reference.max_order >= 0)
-        text += reference.min_order == reference.max_order
-                    ? fmt::format(", light scattered {} times", reference.min_order)
-                    : fmt::format(", light scattered {} to {} times", reference.min_order,
-                                  reference.max_order >= 0 ? fmt::format("{}", reference.max_order) : "any number of");
+        text += reference.max_order < 0 ? fmt::format(", orders from {} on", reference.min_order)
+                : reference.min_order == reference.max_order
+                    ? fmt::format(", order {} alone", reference.min_order)
+                    : fmt::format(", orders {} to {}", reference.min_order, reference.max_order);
     if (!reference.surfaces) text += ", by media alone";
     if (!reference.media) text += ", by surfaces alone";
     return text;
