@@ -46,8 +46,8 @@ def outputs(t):
     t.check(list(rows) == ["none", "march, steps 1", "march, steps 4", "march, steps 16"], f"rows {list(rows)}")
     errors = [rows[f"march, steps {n}"]["metrics"]["relmse"] for n in (1, 4, 16)]
     print("relMSE of 1, 4 and 16 steps:", *(f"{e:.3g}" for e in errors), f"floor {scene['noise_floor']:.3g}")
-    t.check(errors[0] > errors[1] > 0 and errors[2] < 0.05, f"errors fall with the steps: {errors}")
-    t.check(0 < scene["noise_floor"] < 0.02, f"noise floor {scene['noise_floor']}")
+    t.check(errors[0] > errors[1] > errors[2] > 0 and errors[2] < 0.1, f"errors fall with the steps: {errors}")
+    t.check(0.01 < scene["noise_floor"] < 0.03, f"noise floor {scene['noise_floor']}")
     t.check(abs(rows["march, steps 16"]["metrics"]["mean_ratio"] - 1) < 0.03, f"the same integral: {rows['march, steps 16']['metrics']['mean_ratio']}")
     t.check(all(row["ms"] > 0 and row["processor_ms"] > 0 and row["target_bytes"] > 0 for row in rows.values()), "times and memory")
     t.check(rows["none"]["ms_above"] is None and "relmse" not in rows["none"]["metrics"], "the baseline is timed alone")
