@@ -231,12 +231,13 @@ void StudyRun::tell(const Row& row, bool kept) {
 TraceWatch StudyRun::watch(const std::string& scene) const {
     using Clock = std::chrono::steady_clock;
     const auto shown = std::make_shared<Clock::time_point>(Clock::now());
-    return {options_.cancelled, [scene, shown](const reference::Film& film, int64_t wanted) {
-                if (Clock::now() - *shown < std::chrono::seconds(5)) return;
-                *shown = Clock::now();
-                fmt::print(stderr, "{}: tracing the reference, {} of {} samples, noise {:.2f} %\n", scene,
-                           film.samples(), wanted, 100.0 * film.noise());
-            }};
+    return {
+        options_.cancelled, [scene, shown](const reference::Film& film, int64_t wanted) {
+            if (Clock::now() - *shown < std::chrono::seconds(5)) return;
+            *shown = Clock::now();
+            const std::string noise = film.batches() > 1 ? fmt::format(", noise {:.2f} %", 100.0 * film.noise()) : "";
+            fmt::print(stderr, "{}: tracing the reference, {} of {} samples{}\n", scene, film.samples(), wanted, noise);
+        }};
 }
 
 measure::Results StudyRun::results() const {
