@@ -1,0 +1,97 @@
+// Whatever is convex and takes no light away cannot be told from a uniform field of light that it stands in.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+
+namespace tyndall::reference {
+namespace {
+
+using glm::vec3;
+
+constexpr double kFurnace = 0.001;
+/// The layer's albedo is a table over 64 cosines and roughnesses: its error is not the tracer's.
+constexpr double kLayer = 0.002;
+constexpr double kDielectric = 0.002;
+const glm::mat4 kUnit = between(vec3(-1.0f), vec3(1.0f));
+
+/// The shape fills the picture: nothing but it is measured. `wide` also sees its rim.
+RenderScene before(Surface surface, bool wide = false) {
+    RenderScene scene = uniform_field(camera_at({2.0f, 3.0f, 4.0f}, vec3(0.0f), wide ? 19.0f : 14.0f));
+    scene.surfaces.push_back(std::move(surface));
+    return scene;
+}
+
+void expect_white(const std::string& what, const RenderScene& scene, int64_t samples, double limit = kFurnace) {
+    expect_near(what, measure(scene, square_picture(16, samples), samples), glm::dvec3(1.0), limit);
+}
+
+TEST(WhiteFurnace, DiffuseSphereAndBox) {
+    expect_white("diffuse sphere", before(shape(Primitive::sphere, kUnit), true), 1024);
+    expect_white("diffuse box", before(shape(Primitive::box, kUnit)), 1024);
+}
+
+TEST(WhiteFurnace, StandardMaterialsLayer) {
+    // Kulla & Conty's form adds to exactly 1 where the base is white, or the metal is, at any angle.
+    for (const float metallic : {0.0f, 1.0f})
+        for (const float roughness : {0.1f, 0.3f, 0.6f, 1.0f}) {
+            Material material;
+            material.metallic = metallic;
+            material.roughness = roughness;
+            const char* kind = metallic > 0.5f ? "metal" : "coated";
+            expect_white(fmt::format("{} sphere, roughness {}", kind, roughness),
+                         before(shape(Primitive::sphere, kUnit, material), true), 256, kLayer);
+        }
+}
+
+RenderScene medium_box(Medium medium) {
+    RenderScene scene = uniform_field(camera_at({2.0f, 3.0f, 4.0f}, vec3(0.0f), 14.0f));
+    medium.transform = kUnit;
+    scene.media.push_back(std::move(medium));
+    return scene;
+}
+
+TEST(WhiteFurnace, MediumInABox) {
+    Medium medium;
+    medium.sigma_s_per_m = {1.0f, 2.0f, 4.0f};
+    expect_white("even medium", medium_box(medium), 256);
+    medium.phase = henyey_greenstein(0.8f);
+    expect_white("even medium, g 0.8", medium_box(medium), 256);
+    medium.phase = henyey_greenstein(-0.5f);
+    medium.density = BlobDensity{{{vec3(0.0f), 0.2f, 1.0f}, {vec3(0.2f, 0.1f, 0.3f), 0.1f, 2.0f}}};
+    expect_white("blobs, g -0.5", medium_box(medium), 256);
+}
+
+Surface filled(Primitive primitive, float eta, float roughness, const vec3& sigma_s) {
+    Surface surface = shape(primitive, kUnit);
+    ScatteringInterior interior;
+    interior.sigma_s_per_m = sigma_s;
+    interior.eta = eta;
+    interior.roughness = roughness;
+    interior.phase = henyey_greenstein(0.3f);
+    surface.interior = interior;
+    return surface;
+}
+
+TEST(WhiteFurnace, ScatteringInterior) {
+    const vec3 sigma_s(1.0f, 2.0f, 3.0f);
+    expect_white("matched sphere", before(filled(Primitive::sphere, 1.0f, 0.0f, sigma_s), true), 256);
+    expect_white("smooth sphere, eta 1.3", before(filled(Primitive::sphere, 1.3f, 0.0f, sigma_s), true), 256);
+    expect_white("smooth box, eta 1.5", before(filled(Primitive::box, 1.5f, 0.0f, sigma_s)), 256);
+    expect_white("rough box, eta 1.3", before(filled(Primitive::box, 1.3f, 0.4f, sigma_s)), 512);
+}
+
+TEST(DielectricEnergy, ClearInteriorsLoseNothing) {
+    for (const float eta : {1.1f, 1.33f, 1.5f, 2.0f})
+        for (const float roughness : {0.0f, 0.2f, 0.6f, 1.0f})
+            expect_white(fmt::format("clear box, eta {}, roughness {}", eta, roughness),
+                         before(filled(Primitive::box, eta, roughness, vec3(0.0f))), 128, kDielectric);
+    // interpolated normals of a round shape, where a path may not follow them
+    for (const float roughness : {0.0f, 0.4f})
+        expect_white(fmt::format("clear sphere, eta 1.5, roughness {}", roughness),
+                     before(filled(Primitive::sphere, 1.5f, roughness, vec3(0.0f)), true), 256, kDielectric);
+}
+
+}  // namespace
+}  // namespace tyndall::reference
