@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -87,7 +87,7 @@ TEST_F(Films, ShardsAddUpToTheSameBits) {
         shard.save(folder_ / "shard.exr");
         sum.merge(Film::load(folder_ / "shard.exr"));
     }
-    EXPECT_EQ(saved(sum), saved(whole_));
+    EXPECT_TRUE(saved(sum) == saved(whole_));
 }
 
 TEST_F(Films, ThreadsLeaveTheSameBits) {
@@ -95,7 +95,7 @@ TEST_F(Films, ThreadsLeaveTheSameBits) {
         const ThreadLimit limit(threads);
         Film film = tracer_.film("recipe");
         add(tracer_, film, 0);
-        EXPECT_EQ(saved(film), saved(whole_)) << threads << " threads";
+        EXPECT_TRUE(saved(film) == saved(whole_)) << threads << " threads";
     }
 }
 
@@ -103,13 +103,13 @@ TEST_F(Films, InterruptionsLeaveTheSameBits) {
     Film film = tracer_.film("recipe");
     add(tracer_, film, 0, 1, 3);
     const std::string before = saved(film);
-    int asked = 0;
-    EXPECT_FALSE(tracer_.add_batch(film, 3, [&] { return ++asked > 2; }));
-    EXPECT_EQ(saved(film), before) << "a batch that was cancelled leaves nothing";
+    std::atomic<int> asked{0};
+    EXPECT_FALSE(tracer_.add_batch(film, 3, [&] { return ++asked > 1; }));
+    EXPECT_TRUE(saved(film) == before) << "a batch that was cancelled leaves nothing";
     Film resumed = Film::load(folder_ / "film.exr");
     EXPECT_EQ(resumed.batches(), 3);
     add(Tracer(crowded(), small_picture()), resumed, 3);
-    EXPECT_EQ(saved(resumed), saved(whole_));
+    EXPECT_TRUE(saved(resumed) == saved(whole_));
 }
 
 TEST_F(Films, OthersAreRefused) {
@@ -121,7 +121,7 @@ TEST_F(Films, OthersAreRefused) {
         } catch (const Error& error) {
             EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
         }
-        EXPECT_EQ(saved(whole_), before);
+        EXPECT_TRUE(saved(whole_) == before);
     };
     Film twice = tracer_.film("recipe");
     add(tracer_, twice, 5, 1, 6);
@@ -153,15 +153,16 @@ TEST_F(Films, ComponentsAddUp) {
 
 TEST(Orders, SingleScatteringIsTheFirstThreeComponents) {
     TraceSettings settings = small_picture();
-    settings.batch = 64;
-    const Film all = trace(crowded(), settings, 2048);
+    settings.size = {24, 16};
+    settings.batch = 128;
+    const Film all = trace(crowded(), settings, 1024);
     settings.max_order = 1;
     settings.seed = 1;
-    const Film single = trace(crowded(), settings, 2048);
+    const Film single = trace(crowded(), settings, 1024);
     settings.min_order = 2;
     settings.max_order = std::numeric_limits<int>::max();
     settings.seed = 2;
-    const Film rest = trace(crowded(), settings, 2048);
+    const Film rest = trace(crowded(), settings, 1024);
     const Measured one = mean_of(single), several = mean_of(rest);
     const glm::dvec3 first = mean_of(all, Component::emission).mean + mean_of(all, Component::surface).mean +
                              mean_of(all, Component::medium).mean;
@@ -175,7 +176,7 @@ TEST(Orders, SingleScatteringIsTheFirstThreeComponents) {
                    one.mean[c], first[c], z1, several.mean[c], others[c], z2);
         EXPECT_LT(std::abs(z1), 3.5);
         EXPECT_LT(std::abs(z2), 3.5);
-        EXPECT_LT(error[c] / first[c], 0.005) << "too few samples to tell";
+        EXPECT_LT(std::hypot(one.error[c], error[c]) / first[c], 0.01) << "too few samples to tell";
     }
 }
 

@@ -5,6 +5,7 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <fstream>
 #include <iterator>
 #include <list>
 #include <sstream>
@@ -178,13 +180,20 @@ void Film::save(const fs::path& file) const {
     auto& parts = const_cast<std::vector<Components>&>(components_);
     add_sums(&header, buffer, kPixelSums, pixels.data(), sizeof(Pixel), size_.x);
     if (has_components()) add_sums(&header, buffer, kComponentSums, parts.data(), sizeof(Components), size_.x);
+    // A folder cannot be replaced by a file; a device or a pipe could, and would be lost.
+    if (fs::exists(file) && !fs::is_regular_file(file)) fail(file, "cannot write: there is something that is no file");
     const fs::path temporary = file.string() + fmt::format(".{}.part", getpid());
     try {
+        std::ofstream stream(temporary, std::ios::binary);
+        if (!stream) throw std::runtime_error(std::strerror(errno));
         {
-            Imf::OutputFile out(temporary.c_str(), header);
+            Imf::StdOFStream bytes(stream, temporary.c_str());
+            Imf::OutputFile out(bytes, header);
             out.setFrameBuffer(buffer);
             out.writePixels(size_.y);
         }
+        stream.close();  // OpenEXR ends its file, and its stream, without a look at what became of the last bytes
+        if (!stream) throw std::runtime_error(errno != 0 ? std::strerror(errno) : "the disk is full");
         put_in_place(temporary, file);
     } catch (const Error&) {
         std::error_code ignored;

@@ -224,7 +224,13 @@ class TraceRun {
     bool line_open_ = false;
 };
 
+/// A film that outgrows the user's limit of file sizes is an error like a full disk, not the end of the process.
+void survive_file_size_limit() {
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
 int trace(const TraceOptions& options) {
+    survive_file_size_limit();
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(static_cast<size_t>(options.threads));
     TraceRun run(options);
@@ -235,6 +241,7 @@ int trace(const TraceOptions& options) {
 }
 
 int merge(const std::vector<std::string>& files, const std::string& out) {
+    survive_file_size_limit();
     std::optional<Film> sum;
     int64_t bad = 0;
     for (const std::string& file : files) {
