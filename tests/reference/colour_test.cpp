@@ -42,8 +42,8 @@ RenderScene scene_of(int channel) {
 }
 
 TEST(Colour, ChannelsAreWhatTheyAreAlone) {
-    const TraceSettings settings = square_picture(24, 1024);
-    const Measured coloured = measure(scene_of(3), settings, 1024);
+    const TraceSettings settings = square_picture(16, 768);
+    const Measured coloured = measure(scene_of(3), settings, 768);
     for (int c = 0; c < 3; ++c) {
         TraceSettings other = settings;
         other.seed = static_cast<uint32_t>(c) + 1;

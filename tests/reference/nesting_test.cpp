@@ -13,7 +13,8 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-constexpr double kLimit = 0.005;
+constexpr double kLimit = 0.01;
+constexpr double kMirrored = 0.02;  ///< of the few paths that come back
 constexpr float kGlass = 1.5f, kLiquid = 1.33f;
 const vec3 kGlassAbsorbs(0.1f, 0.05f, 0.2f), kLiquidAbsorbs(0.2f, 0.6f, 1.1f);
 
@@ -79,12 +80,12 @@ TEST(Nesting, OverlappingMeshesAreTouchingOnes) {
             const Stack truth = closed_form(angle);
             scene.sky.radiance = vec3(1.0f);
             const std::string what = fmt::format("tank at {} degrees, overlapping by {} m", angle, overlap);
-            expect_near(what + ", both sides lit", measure(scene, square_picture(32, 2048), 2048), truth.through + truth.front, kLimit);
+            expect_near(what + ", both sides lit", measure(scene, square_picture(16, 1024), 1024), truth.through + truth.front, kLimit);
             // a black wall behind it leaves what comes through out: the rest is mirrored
             Material black = white_diffuse();
             black.base_colour = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
             scene.surfaces.push_back(shape(Primitive::box, between({-80.0f, -80.0f, -2.0f}, {80.0f, 80.0f, -1.0f}), black));
-            expect_near(what + ", lit in front", measure(scene, square_picture(32, 8192), 8192), truth.front, 0.03);
+            expect_near(what + ", lit in front", measure(scene, square_picture(16, 2048), 2048), truth.front, kMirrored);
         }
 }
 
@@ -94,16 +95,16 @@ TEST(Nesting, ScatteringLiquidKeepsItsWalls) {
     for (size_t i = 0; i < 2; ++i) {
         RenderScene scene = tank(i == 0 ? 0.05f : 0.6f, 30.0f, {0.5f, 1.0f, 2.0f});
         scene.sky.radiance = vec3(1.0f);
-        TraceSettings settings = square_picture(24, 1024);
+        TraceSettings settings = square_picture(16, 512);
         settings.seed = static_cast<uint32_t>(i);
-        found[i] = measure(scene, settings, 1024);
+        found[i] = measure(scene, settings, 512);
     }
     for (int c = 0; c < 3; ++c) {
         const double error = std::hypot(found[0].error[c], found[1].error[c]);
         const double z = (found[0].mean[c] - found[1].mean[c]) / error;
         fmt::print("scattering liquid, channel {}: {:.5f} and {:.5f}, z {:+.2f} (limit 3.5)\n", c, found[0].mean[c], found[1].mean[c], z);
         EXPECT_LT(std::abs(z), 3.5);
-        EXPECT_LT(3.0 * error / found[0].mean[c], 0.01) << "too few samples to tell";
+        EXPECT_LT(3.0 * error / found[0].mean[c], 0.02) << "too few samples to tell";
     }
 }
 

@@ -91,13 +91,13 @@ TEST_P(SingleScattering, IsTheIntegralAlongTheRay) {
         medium.sigma_s_per_m = vec3(kScattering), medium.sigma_a_per_m = vec3(kAbsorption);
         medium.phase = henyey_greenstein(kG);
         scene.media.push_back(medium);
-        TraceSettings settings = square_picture(16, 1024);
+        TraceSettings settings = square_picture(16, 512);
         settings.max_order = 1;
-        expect_near(view.eye.z > kHalf.z ? "seen from outside" : "seen from inside", measure(scene, settings, 1024),
+        expect_near(view.eye.z > kHalf.z ? "seen from outside" : "seen from inside", measure(scene, settings, 512),
                     quadrature(view, light), kLimit);
         if (GetParam() == LightKind::directional) continue;  // a second way: the light as a sphere too small to matter
         scene.lights.back().source_radius_m = 0.002f;
-        expect_near("the lamp with size", measure(scene, settings, 2048), quadrature(view, light), kLimit);
+        expect_near("the lamp with size", measure(scene, settings, 512), quadrature(view, light), kLimit);
     }
 }
 
@@ -124,10 +124,10 @@ TEST(SingleScatteringAirLight, IsSunsClosedForm) {
         medium.transform = between(vec3(-kFar), vec3(kFar));
         medium.sigma_s_per_m = vec3(kBeta);
         scene.media.push_back(medium);
-        TraceSettings settings = square_picture(16, 1024);
+        TraceSettings settings = square_picture(16, 512);
         settings.max_order = 1;
         const float sun = physics::airlight_point(kIntensity, kBeta, 2.0f, std::cos(angle), kFar);
-        expect_near(fmt::format("lamp {} degrees aside", angle_deg), measure(scene, settings, 1024),
+        expect_near(fmt::format("lamp {} degrees aside", angle_deg), measure(scene, settings, 512),
                     dvec3(static_cast<double>(sun)), kLimit);
     }
 }

@@ -77,6 +77,27 @@ TEST(Samplers, StandardMaterial) {
         }
 }
 
+TEST(Layers, WhiteOnesReturnAllLight) {
+    // The mean weight of samples is the albedo; here they are Roberts' additive sequence, which fills a cube evenly.
+    constexpr int kPoints = 200000;
+    constexpr double kRoot = 1.2207440846057596;  // of x^4 = x + 1
+    double worst = 0.0;
+    for (const float metallic : {0.0f, 1.0f})
+        for (const float roughness : {0.1f, 0.3f, 0.6f, 1.0f})
+            for (const float angle : {0.0f, 45.0f, 75.0f, 85.0f}) {
+                const StandardBsdf bsdf(point_of({"", roughness, metallic, vec3(1.0f)}), &albedo_table(), kNormal, tilted(angle));
+                glm::dvec3 at(0.5);
+                double sum = 0.0;
+                for (int i = 0; i < kPoints; ++i) {
+                    at = glm::fract(at + 1.0 / glm::dvec3(kRoot, kRoot * kRoot, kRoot * kRoot * kRoot));
+                    BsdfSample sample;
+                    if (bsdf.sample(static_cast<float>(at.x), {at.y, at.z}, sample)) sum += static_cast<double>(sample.weight.x);
+                }
+                worst = std::max(worst, std::abs(sum / kPoints - 1.0));
+            }
+    expect_below("white layers, coated and metal: |albedo - 1|", worst, 0.0015);
+}
+
 TEST(Reciprocity, StandardMaterial) {
     Dice dice(500);
     double worst = 0.0;

@@ -61,7 +61,7 @@ void expect_transmittance(const std::string& what, const DensityField& density, 
     expect_near(what + ", by tracking", measure(scene, settings, samples), truth, limit);
     settings.max_order = std::numeric_limits<int>::max();
     settings.components = true;
-    const Film film = trace(scene, settings, 8 * samples);
+    const Film film = trace(scene, settings, samples);
     expect_near(what + ", by flights", mean_of(film, Component::emission), truth, kEstimated);
 }
 
@@ -90,7 +90,7 @@ TEST(BeerLambert, Height) {
     const HeightDensity height{-1.0f, 0.7f};
     // the box is 2 m high: y in it is half the height in the world
     expect_transmittance("height", height, expected([](const dvec3& p) { return std::exp(-(2.0 * p.y + 1.0) / 0.7); }),
-                         kEstimated, 1024);
+                         kEstimated, 512);
 }
 
 TEST(BeerLambert, Blobs) {
@@ -104,7 +104,7 @@ TEST(BeerLambert, Blobs) {
         }
         return sum;
     };
-    expect_transmittance("blobs", blobs, expected(density), kEstimated, 1024);
+    expect_transmittance("blobs", blobs, expected(density), kEstimated, 512);
 }
 
 TEST(BeerLambert, Grid) {
@@ -125,7 +125,7 @@ TEST(BeerLambert, Grid) {
         }
         return 1.3 * sum;
     };
-    expect_transmittance("grid", grid, expected(density), kEstimated, 1024);
+    expect_transmittance("grid", grid, expected(density), kEstimated, 512);
 }
 
 }  // namespace

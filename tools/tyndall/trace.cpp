@@ -269,14 +269,17 @@ void add_stops(CLI::App& sub, TraceOptions& options) {
     sub.add_option("--time", options.time_s, "Seconds to trace")->check(CLI::PositiveNumber);
     sub.add_option("--noise", options.noise, "Stop at this noise: root mean square error over the mean, such as 0.01")
         ->check(CLI::PositiveNumber);
-    sub.add_option("--batch", options.batch, "Samples that share one low-discrepancy sequence: a power of two");
+    sub.add_option("--batch", options.batch, "Samples that share one low-discrepancy sequence: a power of two")
+        ->check(CLI::Range(1, 65536));
     sub.add_option("--threads", options.threads, "Threads; all cores otherwise")->check(CLI::Range(1, 1024));
     sub.add_option("--seed", options.seed, "Another seed gives an independent picture");
     sub.add_option("--out", options.out, "The film, an EXR; otherwise the scene's name");
     sub.add_flag("--png", options.png, "Also write the picture through the display transform");
     sub.add_flag("--resume", options.resume, "Go on with the film where it stopped");
     sub.add_option("--shard", options.shard, "Trace part I of N, to be added by tyndall merge")->type_name("I/N");
-    sub.add_option("--checkpoint", options.checkpoint_s, "Seconds between saves")->capture_default_str();
+    sub.add_option("--checkpoint", options.checkpoint_s, "Seconds between saves")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
 }
 
 void add_parts(CLI::App& sub, TraceOptions& options) {
