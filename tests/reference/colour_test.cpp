@@ -50,8 +50,8 @@ TEST(Colour, ChannelsAreWhatTheyAreAlone) {
         const Measured grey = measure(scene_of(c), other, 512);
         const double error = std::sqrt(coloured.error[c] * coloured.error[c] + grey.error[c] * grey.error[c]);
         const double z = (coloured.mean[c] - grey.mean[c]) / error;
-        fmt::print("channel {}: {:.5f} in colour, {:.5f} alone, off by {:+.3f} %, z {:+.2f} (limit 3.5)\n", c, coloured.mean[c],
-                   grey.mean[c], 100.0 * (coloured.mean[c] / grey.mean[c] - 1.0), z);
+        fmt::print("channel {}: {:.5f} in colour, {:.5f} alone, off by {:+.3f} %, z {:+.2f} (limit 3.5)\n", c,
+                   coloured.mean[c], grey.mean[c], 100.0 * (coloured.mean[c] / grey.mean[c] - 1.0), z);
         EXPECT_LT(std::abs(z), 3.5) << "channel " << c;
         EXPECT_LT(3.0 * error / grey.mean[c], kLimit) << "too few samples to tell";
         EXPECT_EQ(grey.mean[0], grey.mean[2]) << "grey stays grey";

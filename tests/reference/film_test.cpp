@@ -146,7 +146,8 @@ TEST_F(Films, ComponentsAddUp) {
         const auto all = static_cast<double>(radiance.floats()[i]);
         worst = std::max(worst, std::abs(sum - all) / std::max(all, 1e-3));
     }
-    fmt::print("emission {:.4f}, surface {:.4f}, medium {:.4f}, multiple {:.4f}\n", means[0], means[1], means[2], means[3]);
+    fmt::print("emission {:.4f}, surface {:.4f}, medium {:.4f}, multiple {:.4f}\n", means[0], means[1], means[2],
+               means[3]);
     for (const double mean : means) EXPECT_GT(mean, 1e-3) << "every part is in this scene";
     expect_below("components against the radiance", worst, 1e-6);
 }
@@ -172,8 +173,9 @@ TEST(Orders, SingleScatteringIsTheFirstThreeComponents) {
     for (int c = 0; c < 3; ++c) {
         const double z1 = (one.mean[c] - first[c]) / std::hypot(one.error[c], error[c]);
         const double z2 = (several.mean[c] - others[c]) / std::hypot(several.error[c], error[c]);
-        fmt::print("channel {}: single {:.5f} and {:.5f}, z {:+.2f}; the rest {:.5f} and {:.5f}, z {:+.2f} (limit 3.5)\n", c,
-                   one.mean[c], first[c], z1, several.mean[c], others[c], z2);
+        fmt::print(
+            "channel {}: single {:.5f} and {:.5f}, z {:+.2f}; the rest {:.5f} and {:.5f}, z {:+.2f} (limit 3.5)\n", c,
+            one.mean[c], first[c], z1, several.mean[c], others[c], z2);
         EXPECT_LT(std::abs(z1), 3.5);
         EXPECT_LT(std::abs(z2), 3.5);
         EXPECT_LT(std::hypot(one.error[c], error[c]) / first[c], 0.01) << "too few samples to tell";

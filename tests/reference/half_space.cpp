@@ -9,9 +9,10 @@ namespace tyndall::reference {
 Measured half_space_reflectance(const glm::vec3& albedo, float eta, float angle_deg, int pixels, int64_t samples) {
     constexpr float kSize = 4000.0f;
     const float angle = glm::radians(angle_deg);
-    RenderScene scene = uniform_field(
-        camera_at(10.0f * glm::vec3(std::sin(angle), std::cos(angle), 0.0f), glm::vec3(0.0f), 1e-3f));
-    Surface box = shape(Primitive::box, between({-0.5f * kSize, -kSize, -0.5f * kSize}, {0.5f * kSize, 0.0f, 0.5f * kSize}));
+    RenderScene scene =
+        uniform_field(camera_at(10.0f * glm::vec3(std::sin(angle), std::cos(angle), 0.0f), glm::vec3(0.0f), 1e-3f));
+    Surface box =
+        shape(Primitive::box, between({-0.5f * kSize, -kSize, -0.5f * kSize}, {0.5f * kSize, 0.0f, 0.5f * kSize}));
     ScatteringInterior interior;
     interior.sigma_s_per_m = albedo;
     interior.sigma_a_per_m = 1.0f - albedo;

@@ -44,7 +44,9 @@ void print_row(const std::string& name, const vec3& scattering, const vec3& abso
 }  // namespace
 
 int main(int argc, char** argv) {
-    fmt::print("| material | index | albedo R G B | at 0 degrees | +- | at 60 degrees | +- |\n|---|---|---|---|---|---|---|\n");
+    fmt::print(
+        "| material | index | albedo R G B | at 0 degrees | +- | at 60 degrees | +- "
+        "|\n|---|---|---|---|---|---|---|\n");
     for (int i = 1; i < argc; ++i) {
         std::ifstream file(argv[i]);
         const nlohmann::json preset = nlohmann::json::parse(file);

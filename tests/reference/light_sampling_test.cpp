@@ -50,8 +50,10 @@ std::vector<double> sampled(const Lights& lights, const DirectionBins& bins, con
         if (!lights.sample(0, kPlace, {x, dice()}, sample)) continue;
         irradiance += dvec3(sample.light) / static_cast<double>(kSamples);
         const size_t bin = bins.of(frame.to(sample.direction));
-        if (bin < bins.count()) ++observed[bin];
-        else ADD_FAILURE() << "a direction away from the light";
+        if (bin < bins.count())
+            ++observed[bin];
+        else
+            ADD_FAILURE() << "a direction away from the light";
     }
     return observed;
 }
@@ -66,11 +68,12 @@ void expect_round_light(const std::string& what, const RenderScene& scene, const
     std::vector<double> expected = bins.integrals(8, [&](const vec3& local) {
         double density = 0.0;
         for (const bool missed : {false, true})
-            one.lights.met({kPlace, frame.from(local)}, missed, [&](size_t, const vec3& radiance, float pdf, float metres) {
-                if (std::isinf(metres) != missed) return;
-                density = static_cast<double>(pdf);
-                total += dvec3(radiance) * bins.solid_angle() / 64.0;
-            });
+            one.lights.met({kPlace, frame.from(local)}, missed,
+                           [&](size_t, const vec3& radiance, float pdf, float metres) {
+                               if (std::isinf(metres) != missed) return;
+                               density = static_cast<double>(pdf);
+                               total += dvec3(radiance) * bins.solid_angle() / 64.0;
+                           });
         return density * kSamples;
     });
     dvec3 found;
@@ -90,7 +93,8 @@ TEST(Samplers, RoundLights) {
     const vec3 offset = vec3(light.transform[3]) - kPlace;
     const float sine2 = 0.36f / glm::dot(offset, offset), cosine = std::sqrt(1.0f - sine2);
     // radiance I / (pi r^2) over the cone that it fills
-    const double full = 5.0 / (glm::pi<double>() * 0.36) * 2.0 * glm::pi<double>() * (1.0 - static_cast<double>(cosine));
+    const double full =
+        5.0 / (glm::pi<double>() * 0.36) * 2.0 * glm::pi<double>() * (1.0 - static_cast<double>(cosine));
     expect_round_light("lamp of 0.6 m", scene, glm::normalize(offset), cosine, full, 800);
 
     light.kind = LightKind::directional;
@@ -140,7 +144,8 @@ std::shared_ptr<const TextureAsset> probe_image() {
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x)
             for (int c = 0; c < 3; ++c)
-                asset->image.at(x, y, c) = 0.2f * dice() + static_cast<float>(32 - y) / 32.0f + (x == 20 && y == 9 ? 60.0f : 0.0f);
+                asset->image.at(x, y, c) =
+                    0.2f * dice() + static_cast<float>(32 - y) / 32.0f + (x == 20 && y == 9 ? 60.0f : 0.0f);
     return asset;
 }
 

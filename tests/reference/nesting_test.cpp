@@ -41,7 +41,8 @@ RenderScene tank(float overlap, float angle_deg, const vec3& scattering = vec3(0
 
 double fresnel(double cosine, double eta) {
     const double beyond = std::sqrt(1.0 - (1.0 - cosine * cosine) / (eta * eta));
-    const double s = (cosine - eta * beyond) / (cosine + eta * beyond), p = (eta * cosine - beyond) / (eta * cosine + beyond);
+    const double s = (cosine - eta * beyond) / (cosine + eta * beyond),
+                 p = (eta * cosine - beyond) / (eta * cosine + beyond);
     return 0.5 * (s * s + p * p);
 }
 
@@ -61,7 +62,8 @@ struct Stack {
 /// Glass, liquid and glass, each 1 m thick, by Fresnel's equations for unpolarised light and Beer and Lambert's law.
 Stack closed_form(float angle_deg) {
     const double sine = std::sin(glm::radians(static_cast<double>(angle_deg)));
-    const double index[] = {1.0, static_cast<double>(kGlass), static_cast<double>(kLiquid), static_cast<double>(kGlass), 1.0};
+    const double index[] = {1.0, static_cast<double>(kGlass), static_cast<double>(kLiquid), static_cast<double>(kGlass),
+                            1.0};
     const dvec3 absorbs[] = {dvec3(0.0), dvec3(kGlassAbsorbs), dvec3(kLiquidAbsorbs), dvec3(kGlassAbsorbs)};
     Stack stack;
     for (size_t i = 0; i < 4; ++i) {
@@ -80,12 +82,15 @@ TEST(Nesting, OverlappingMeshesAreTouchingOnes) {
             const Stack truth = closed_form(angle);
             scene.sky.radiance = vec3(1.0f);
             const std::string what = fmt::format("tank at {} degrees, overlapping by {} m", angle, overlap);
-            expect_near(what + ", both sides lit", measure(scene, square_picture(16, 1024), 1024), truth.through + truth.front, kLimit);
+            expect_near(what + ", both sides lit", measure(scene, square_picture(16, 1024), 1024),
+                        truth.through + truth.front, kLimit);
             // a black wall behind it leaves what comes through out: the rest is mirrored
             Material black = white_diffuse();
             black.base_colour = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
-            scene.surfaces.push_back(shape(Primitive::box, between({-80.0f, -80.0f, -2.0f}, {80.0f, 80.0f, -1.0f}), black));
-            expect_near(what + ", lit in front", measure(scene, square_picture(16, 2048), 2048), truth.front, kMirrored);
+            scene.surfaces.push_back(
+                shape(Primitive::box, between({-80.0f, -80.0f, -2.0f}, {80.0f, 80.0f, -1.0f}), black));
+            expect_near(what + ", lit in front", measure(scene, square_picture(16, 2048), 2048), truth.front,
+                        kMirrored);
         }
 }
 
@@ -102,7 +107,8 @@ TEST(Nesting, ScatteringLiquidKeepsItsWalls) {
     for (int c = 0; c < 3; ++c) {
         const double error = std::hypot(found[0].error[c], found[1].error[c]);
         const double z = (found[0].mean[c] - found[1].mean[c]) / error;
-        fmt::print("scattering liquid, channel {}: {:.5f} and {:.5f}, z {:+.2f} (limit 3.5)\n", c, found[0].mean[c], found[1].mean[c], z);
+        fmt::print("scattering liquid, channel {}: {:.5f} and {:.5f}, z {:+.2f} (limit 3.5)\n", c, found[0].mean[c],
+                   found[1].mean[c], z);
         EXPECT_LT(std::abs(z), 3.5);
         EXPECT_LT(3.0 * error / found[0].mean[c], 0.02) << "too few samples to tell";
     }

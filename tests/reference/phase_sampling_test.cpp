@@ -138,7 +138,8 @@ TEST(Samplers, ABatchIsStratified) {
                 for (const glm::vec2& p : points)
                     ++boxes[static_cast<size_t>(static_cast<int>(p.y * static_cast<float>(rows)) * columns +
                                                 static_cast<int>(p.x * static_cast<float>(columns)))];
-                EXPECT_EQ(std::ranges::count(boxes, 1), 256) << "pair " << pair << ", boxes of " << columns << "x" << rows;
+                EXPECT_EQ(std::ranges::count(boxes, 1), 256)
+                    << "pair " << pair << ", boxes of " << columns << "x" << rows;
             }
         }
     }

@@ -27,7 +27,8 @@ void expect_near(const std::string& what, const Measured& measured, const glm::d
 void expect_below(const std::string& what, double measured, double limit);
 
 [[nodiscard]] Material white_diffuse();
-[[nodiscard]] Surface shape(Primitive primitive, const glm::mat4& transform, const Material& material = white_diffuse());
+[[nodiscard]] Surface shape(Primitive primitive, const glm::mat4& transform,
+                            const Material& material = white_diffuse());
 /// Places a unit shape so that it fills this box.
 [[nodiscard]] glm::mat4 between(const glm::vec3& low, const glm::vec3& high);
 /// At `eye`, with a vertical field of view in degrees and exposure 1.

@@ -54,7 +54,8 @@ dvec3 arriving(const Light& light, const dvec3& place, dvec3& to_light, double& 
 
 dvec3 quadrature(const View& view, const Light& light) {
     constexpr int kSteps = 100000;
-    const dvec3 sigma_t = kScattering + kAbsorption, eye(view.eye), direction = glm::normalize(dvec3(view.target) - eye);
+    const dvec3 sigma_t = kScattering + kAbsorption, eye(view.eye),
+                direction = glm::normalize(dvec3(view.target) - eye);
     double low = 0.0, high = 1e9;
     clip(eye, direction, low, high);
     dvec3 sum(0.0);
@@ -80,7 +81,8 @@ TEST_P(SingleScattering, IsTheIntegralAlongTheRay) {
     Light light;
     light.kind = GetParam();
     light.intensity = {3.0f, 2.0f, 1.0f};
-    light.transform = camera_at({0.6f, light.kind == LightKind::point ? 0.7f : 3.0f, -0.4f}, vec3(0.0f, -1.0f, 0.1f), 1.0f).transform;
+    light.transform =
+        camera_at({0.6f, light.kind == LightKind::point ? 0.7f : 3.0f, -0.4f}, vec3(0.0f, -1.0f, 0.1f), 1.0f).transform;
     light.inner_angle = 0.15f, light.outer_angle = 0.45f;
     for (const View& view : kViews) {
         RenderScene scene;
@@ -96,7 +98,7 @@ TEST_P(SingleScattering, IsTheIntegralAlongTheRay) {
         expect_near(view.eye.z > kHalf.z ? "seen from outside" : "seen from inside", measure(scene, settings, 512),
                     quadrature(view, light), kLimit);
         if (GetParam() == LightKind::directional) continue;  // a second way: the light as a sphere too small to matter
-        scene.lights.back().source_radius_m = 0.002f;
+        scene.lights.back().source_radius_m = 0.0005f;
         expect_near("the lamp with size", measure(scene, settings, 512), quadrature(view, light), kLimit);
     }
 }

@@ -85,13 +85,15 @@ TEST(Layers, WhiteOnesReturnAllLight) {
     for (const float metallic : {0.0f, 1.0f})
         for (const float roughness : {0.1f, 0.3f, 0.6f, 1.0f})
             for (const float angle : {0.0f, 45.0f, 75.0f, 85.0f}) {
-                const StandardBsdf bsdf(point_of({"", roughness, metallic, vec3(1.0f)}), &albedo_table(), kNormal, tilted(angle));
+                const StandardBsdf bsdf(point_of({"", roughness, metallic, vec3(1.0f)}), &albedo_table(), kNormal,
+                                        tilted(angle));
                 glm::dvec3 at(0.5);
                 double sum = 0.0;
                 for (int i = 0; i < kPoints; ++i) {
                     at = glm::fract(at + 1.0 / glm::dvec3(kRoot, kRoot * kRoot, kRoot * kRoot * kRoot));
                     BsdfSample sample;
-                    if (bsdf.sample(static_cast<float>(at.x), {at.y, at.z}, sample)) sum += static_cast<double>(sample.weight.x);
+                    if (bsdf.sample(static_cast<float>(at.x), {at.y, at.z}, sample))
+                        sum += static_cast<double>(sample.weight.x);
                 }
                 worst = std::max(worst, std::abs(sum / kPoints - 1.0));
             }
@@ -156,15 +158,18 @@ TEST(Reciprocity, RoughBoundary) {
                                                             physics::kTwoPi * dice());
                 const auto seed = static_cast<uint32_t>(2 * count);
                 const Estimate to = rough_f(kNormal, v, l, eta, roughness, seed);
-                const Estimate fro = rough_f(across ? -kNormal : kNormal, l, v, across ? 1.0f / eta : eta, roughness, seed + 1);
+                const Estimate fro =
+                    rough_f(across ? -kNormal : kNormal, l, v, across ? 1.0f / eta : eta, roughness, seed + 1);
                 const double scale = across ? static_cast<double>(eta * eta) : 1.0;
                 const double z = (scale * to.mean - fro.mean) / std::sqrt(scale * scale * to.variance + fro.variance);
                 sums[0] += scale * to.mean, sums[1] += fro.mean;
                 squares += z * z, worst = std::max(worst, std::abs(z)), ++count;
             }
     const double p = chi_square_tail(squares, count);
-    fmt::print("rough boundary, reciprocity: {} pairs, chi-square p {:.3f} (limit {}), largest |z| {:.2f}; sums {:.4f} and {:.4f}\n",
-               count, p, kSignificance, worst, sums[0], sums[1]);
+    fmt::print(
+        "rough boundary, reciprocity: {} pairs, chi-square p {:.3f} (limit {}), largest |z| {:.2f}; sums {:.4f} and "
+        "{:.4f}\n",
+        count, p, kSignificance, worst, sums[0], sums[1]);
     EXPECT_GT(p, kSignificance);
     EXPECT_NEAR(sums[0] / sums[1], 1.0, 0.02);
 }
@@ -193,7 +198,8 @@ TEST(Samplers, RoughBoundary) {
             for (uint32_t i = 0; i < kSamples; ++i) {
                 Sampler sampler(glm::uvec2(700), 700, 0, i);
                 BsdfSample sample;
-                if (RoughBoundary(kNormal, v, eta, roughness, sampler).sample(sample)) ++observed[bins.of(sample.direction)];
+                if (RoughBoundary(kNormal, v, eta, roughness, sampler).sample(sample))
+                    ++observed[bins.of(sample.direction)];
             }
             double squares = 0.0, total = 0.0, variance = 0.0;
             int used = 0;
@@ -206,8 +212,10 @@ TEST(Samplers, RoughBoundary) {
                 ++used;
             }
             const double p = chi_square_tail(squares, used);
-            fmt::print("rough boundary, eta {:.3f}, roughness {}: {} bins, p {:.3f} (limit {}); f |cos| adds up to {:.4f} +- {:.4f}\n",
-                       eta, roughness, used, p, kSignificance, total, std::sqrt(variance));
+            fmt::print(
+                "rough boundary, eta {:.3f}, roughness {}: {} bins, p {:.3f} (limit {}); f |cos| adds up to {:.4f} +- "
+                "{:.4f}\n",
+                eta, roughness, used, p, kSignificance, total, std::sqrt(variance));
             EXPECT_GT(p, kSignificance);
             EXPECT_NEAR(total, 1.0, 3.5 * std::sqrt(variance));
             EXPECT_LT(std::sqrt(variance), 0.01) << "too few samples to tell";

@@ -11,7 +11,7 @@ namespace {
 using glm::vec3;
 
 constexpr double kFurnace = 0.001;
-constexpr double kLayer = 0.003;   ///< of light that a bright lobe sends from few directions: there is more noise
+constexpr double kLayer = 0.003;  ///< of light that a bright lobe sends from few directions: there is more noise
 constexpr double kColour = 0.01;  ///< of media that differ between channels, and share their flights
 constexpr double kDielectric = 0.002;
 const glm::mat4 kUnit = between(vec3(-1.0f), vec3(1.0f));
@@ -81,7 +81,8 @@ TEST(WhiteFurnace, ScatteringInterior) {
     expect_white("smooth box, eta 1.5", before(filled(Primitive::box, 1.5f, 0.0f, vec3(2.0f))), 64);
     expect_white("matched sphere", before(filled(Primitive::sphere, 1.0f, 0.0f, vec3(0.5f)), true), 2048);
     const vec3 coloured(1.0f, 2.0f, 3.0f);
-    expect_white("coloured matched sphere", before(filled(Primitive::sphere, 1.0f, 0.0f, coloured), true), 256, kColour);
+    expect_white("coloured matched sphere", before(filled(Primitive::sphere, 1.0f, 0.0f, coloured), true), 256,
+                 kColour);
     expect_white("coloured smooth box, eta 1.5", before(filled(Primitive::box, 1.5f, 0.0f, coloured)), 256, kColour);
     expect_white("coloured rough box, eta 1.3", before(filled(Primitive::box, 1.3f, 0.3f, coloured)), 512, kColour);
 }
@@ -96,8 +97,8 @@ TEST(DielectricEnergy, ClearInteriorsLoseNothing) {
                      before(filled(Primitive::box, eta, 0.2f, vec3(0.0f))), 1024, kDielectric);
     // Rougher: most of the noise is of looking for the field, which walks between microfacets meet rarely
     // (Samplers.RoughBoundary shows that these lose nothing).
-    expect_white("clear sphere, eta 1.5, roughness 0.5", before(filled(Primitive::sphere, 1.5f, 0.5f, vec3(0.0f)), true),
-                 1024, kColour);
+    expect_white("clear sphere, eta 1.5, roughness 0.5",
+                 before(filled(Primitive::sphere, 1.5f, 0.5f, vec3(0.0f)), true), 1024, kColour);
 }
 
 }  // namespace

@@ -152,15 +152,15 @@ def films(t, file):
     t.refused("merge to nowhere", ["merge", shards[0], "--out", t.folder / "no" / "sum.exr"], "sum.exr", "cannot write")
     t.refused("merge to a folder", ["merge", shards[0], "--out", t.folder], "cannot write")
 
-    def not_resumed(name, content, *expected, options=()):
+    def not_resumed(name, content, *expected, options=(), size="48x32"):
         film = t.file("resumed.exr", content)
-        t.refused(f"resume {name}", ["trace", file, *SMALL, "--spp", "24", "--resume", "--out", film, *options], *expected)
+        t.refused(f"resume {name}", ["trace", file, "--size", size, "--batch", "4", "--spp", "24", "--resume", "--out", film, *options], *expected)
         t.check(film.read_bytes() == (content if isinstance(content, bytes) else content.encode()), f"resume {name}: the film was touched")
 
     not_resumed("a text", "hello", "resumed.exr")
     not_resumed("a cut film", bytes_[: len(bytes_) // 2], "resumed.exr")
     not_resumed("a foreign picture", (t.folder / "foreign.exr").read_bytes(), "resumed.exr", "not a traced film")
-    not_resumed("with another size", bytes_, "48x32", "64x32", options=("--size", "64x32"))
+    not_resumed("with another size", bytes_, "48x32", "64x32", size="64x32")
     not_resumed("with another seed", bytes_, "different scenes or settings", options=("--seed", "9"))
     not_resumed("with other changes", bytes_, "different scenes or settings", options=("--set", "/entities/Ball/material/roughness=0.5"))
     resumed = t.file("resumed.exr", shards[0].read_bytes())
