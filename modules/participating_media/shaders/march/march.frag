@@ -1,8 +1,8 @@
 // Single scattering of one light in one medium along the eye ray, marched only where the ray is inside the medium and
 // the light's volume; draws of several lights and media add up.
 //
-// Each step integrates what can be integrated: for directional lights the transmittance to the eye over the step, for
-// point and spot lights the inverse-square law (steps of equal angle seen from the light: Kulla & Fajardo 2012). The
+// Each step integrates what can be integrated: for directional lights in even media the transmittance to the eye over the
+// step, for point and spot lights the inverse-square law (steps of equal angle seen from the light: Kulla & Fajardo 2012). The
 // rest is taken at one point of the step, jittered by blue noise, so that the mean over pixels has no bias. The way to the
 // eye is exact for even media, for blobs and for height fog; through noise and grids it is taken once a step.
 #include "participating_media/light_source.glsl"
@@ -29,12 +29,15 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
         weight *= factor;
     }
 #else
-    vec3 before = media_transmittance(ray.origin, ray.direction, 0.0, t0);
+    // The way to the eye is taken at the very point whose light is taken: their means over the step would be correlated
+    // where the density varies, and few steps would lose light.
+    vec3 to_eye = media_transmittance(ray.origin, ray.direction, 0.0, t0);
+    float reached = t0;
     for (int i = 0; i < steps; ++i) {
-        float begin = t0 + float(i) * ds;
-        vec3 step_depth = media_optical_depth(ray.origin, ray.direction, begin, begin + ds, 1);
-        sum += source(ray, begin + offset * ds) * before * mean_transmittance(step_depth) * ds;
-        before *= exp(-step_depth);
+        float t = t0 + (float(i) + offset) * ds;
+        to_eye *= exp(-media_optical_depth(ray.origin, ray.direction, reached, t, 1));
+        reached = t;
+        sum += source(ray, t) * to_eye * ds;
     }
 #endif
     return sum;
