@@ -28,8 +28,9 @@ void main() {
     for (int i = 0; i < steps; ++i) {
         float begin = t0 + float(i) * ds;
         vec3 step_depth = media_optical_depth(origin, direction, begin, begin + ds, 1);
-        sum += medium_density(medium, origin + direction * (begin + offset * ds)) * before * mean_transmittance(step_depth) * ds;
+        vec3 p = origin + direction * (begin + offset * ds);
+        sum += medium_density(medium, p, ds) * medium_emission(medium, p) * before * mean_transmittance(step_depth) * ds;
         before *= exp(-step_depth);
     }
-    glow.rgb = media[medium].emission_even.rgb * sum;
+    glow.rgb = sum;
 }

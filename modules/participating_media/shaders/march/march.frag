@@ -25,7 +25,7 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
     vec3 weight = mean_transmittance(step_depth) * ds;  // and the transmittance up to the step
     vec3 factor = exp(-step_depth);
     for (int i = 0; i < steps; ++i) {
-        sum += source(ray, t0 + (float(i) + offset) * ds) * weight;
+        sum += source(ray, t0 + (float(i) + offset) * ds, ds) * weight;
         weight *= factor;
     }
 #else
@@ -33,7 +33,7 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
     for (int i = 0; i < steps; ++i) {
         float begin = t0 + float(i) * ds;
         vec3 step_depth = media_optical_depth(ray.origin, ray.direction, begin, begin + ds, 1);
-        sum += source(ray, begin + offset * ds) * before * mean_transmittance(step_depth) * ds;
+        sum += source(ray, begin + offset * ds, ds) * before * mean_transmittance(step_depth) * ds;
         before *= exp(-step_depth);
     }
 #endif
@@ -66,7 +66,7 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
         to_eye *= exp(-media_optical_depth(ray.origin, ray.direction, reached, t, 1));
         reached = t;
 #endif
-        sum += source(ray, t) * to_eye * metres;
+        sum += source(ray, t, abs(metres)) * to_eye * metres;
         at = vec2(at.x * turn.x - at.y * turn.y, at.y * turn.x + at.x * turn.y);
     }
     return sum;
