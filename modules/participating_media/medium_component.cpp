@@ -54,14 +54,19 @@ DensityField shaped(DensityField inside, const PlacedBounds& bounds) {
 
 void add_black_body(const MediumComponent& authored, AssetStore& assets, const VolumePlace& place, Medium& medium) {
     const BlackBody& from = authored.black_body;
-    if (from.grid.empty()) {
+    if (from.grid.empty() && from.file.empty()) {
         medium.emission_cd_m2_per_m += medium.sigma_a_per_m * physics::black_body_radiance(from.temperature_k);
         return;
     }
-    const auto* volume = std::get_if<VolumeDensity>(&authored.density);
-    if (!volume)
-        throw Error("the black body's grid '" + from.grid + "' needs a density from a volume, whose file it is in");
-    TemperatureField field{placed_volume(*volume, from.grid, assets, place), from.temperature_k};
+    const auto* density = std::get_if<VolumeDensity>(&authored.density);
+    if (from.file.empty() && !density)
+        throw Error("the black body's grid '" + from.grid + "' is in no file (expected its file, or a density from a volume)");
+    VolumeDensity volume;
+    if (from.file.empty())
+        volume = *density;
+    else
+        volume.file = from.file;
+    TemperatureField field{placed_volume(volume, from.grid, assets, place), from.temperature_k};
     field.grid.scale = from.kelvin_per_unit;
     medium.temperature = std::move(field);
 }

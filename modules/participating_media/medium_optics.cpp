@@ -52,7 +52,10 @@ void describe(StructBuilder<BlackBody>& d) {
     d.field("temperature_k", &B::temperature_k, "Its temperature; with a grid, that of what the grid has as 0.")
         .unit("K")
         .range(0.0, 1e5);
-    d.field("grid", &B::grid, "A grid of the density's volume whose values are the temperature; empty = the same all over.");
+    d.field("file", &B::file,
+            "A volume whose values are the temperature, over the medium's box; empty = the file of the density.")
+        .asset("volume");
+    d.field("grid", &B::grid, "Which grid of an OpenVDB file; without file and grid it is as hot all over.");
     d.field("kelvin_per_unit", &B::kelvin_per_unit, "Multiplies the grid's values.").unit("K").range(0.0, 1e6);
 }
 

@@ -40,6 +40,7 @@ struct Optics {
 /// The glow of what is hot: by Kirchhoff's law the absorption times the radiance of a black body.
 struct BlackBody {
     float temperature_k = 0.0f;
+    std::string file;
     std::string grid;
     float kelvin_per_unit = 1.0f;
 };
