@@ -135,10 +135,9 @@ Header read_header(TextScanner& text) {
 
 /// Which of the names that writers use for a vertex' values this is; -1: none of interest.
 int vertex_slot(std::string_view name) {
-    constexpr std::pair<std::string_view, int> kSlots[] = {{"x", 0},  {"y", 1},  {"z", 2},         {"nx", 3},
-                                                           {"ny", 4}, {"nz", 5}, {"u", 6},         {"v", 7},
-                                                           {"s", 6},  {"t", 7},  {"texture_u", 6}, {"texture_v", 7},
-                                                           {"radius", 8}};
+    constexpr std::pair<std::string_view, int> kSlots[] = {
+        {"x", 0}, {"y", 1}, {"z", 2}, {"nx", 3},        {"ny", 4},        {"nz", 5},    {"u", 6},
+        {"v", 7}, {"s", 6}, {"t", 7}, {"texture_u", 6}, {"texture_v", 7}, {"radius", 8}};
     for (const auto& [known, slot] : kSlots)
         if (name == known) return slot;
     return -1;

@@ -46,7 +46,8 @@ template <class Asset>
 class Cache {
  public:
     /// Loads from a file; adds every file that it reads, also when it throws.
-    using Load = std::function<Asset(const std::filesystem::path& file, std::string_view name, std::vector<std::filesystem::path>& sources)>;
+    using Load = std::function<Asset(const std::filesystem::path& file, std::string_view name,
+                                     std::vector<std::filesystem::path>& sources)>;
 
     explicit Cache(Load load) : load_(std::move(load)) {}
 
@@ -110,8 +111,9 @@ class Cache {
     using Entries = std::map<std::filesystem::path, Entry>;
 
     static bool reads_one_of(const Entry& entry, const std::vector<std::filesystem::path>& changed) {
-        return std::ranges::any_of(entry.sources,
-                                   [&](const std::filesystem::path& file) { return std::ranges::binary_search(changed, file); });
+        return std::ranges::any_of(entry.sources, [&](const std::filesystem::path& file) {
+            return std::ranges::binary_search(changed, file);
+        });
     }
 
     /// True when there is a new asset. Where loading fails, an older one stays.

@@ -154,8 +154,9 @@ std::shared_ptr<const ParticleAsset> AssetStore::particles(std::string_view name
 }
 
 std::shared_ptr<const VolumeAsset> AssetStore::mesh_mask(const MeshAsset& mesh, int resolution) {
-    return self_->made.get("mesh " + std::to_string(mesh.id) + " at " + std::to_string(resolution),
-                           [&] { return VolumeAsset{new_asset_id(), mesh.name, voxelised(mesh.mesh, resolution, mesh.name)}; });
+    return self_->made.get("mesh " + std::to_string(mesh.id) + " at " + std::to_string(resolution), [&] {
+        return VolumeAsset{new_asset_id(), mesh.name, voxelised(mesh.mesh, resolution, mesh.name)};
+    });
 }
 
 std::shared_ptr<const VolumeAsset> AssetStore::particle_mask(std::span<const Particle> particles, int resolution) {

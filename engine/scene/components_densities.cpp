@@ -75,12 +75,15 @@ struct MakeDensity {
     const VolumePlace& place;
     AssetStore& assets;
 
-    DensityField operator()(const VolumeDensity& volume) const { return placed_volume(volume, volume.grid, assets, place); }
+    DensityField operator()(const VolumeDensity& volume) const {
+        return placed_volume(volume, volume.grid, assets, place);
+    }
     DensityField operator()(const LinearGradient& g) const {
         return GradientDensity{.from = g.from, .to = g.to, .start = g.start, .end = g.end};
     }
     DensityField operator()(const RadialGradient& g) const {
-        if (!(g.inner_radius < g.outer_radius)) throw Error("a radial gradient's outer_radius must be above its inner_radius");
+        if (!(g.inner_radius < g.outer_radius))
+            throw Error("a radial gradient's outer_radius must be above its inner_radius");
         return GradientDensity{.radial = true,
                                .from = g.centre,
                                .inner = g.inner_radius,

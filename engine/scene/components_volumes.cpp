@@ -80,8 +80,9 @@ void describe(StructBuilder<SequenceChoice>& d) {
 void describe(StructBuilder<VolumeDensity>& d) {
     using V = VolumeDensity;
     d.doc("A grid of voxels from a file, linear between them.");
-    d.field("file", &V::file,
-            "An OpenVDB file, or a JSON description of a raw one, relative to the scene; with # for digits, a sequence.")
+    d.field(
+         "file", &V::file,
+         "An OpenVDB file, or a JSON description of a raw one, relative to the scene; with # for digits, a sequence.")
         .asset("volume");
     d.field("grid", &V::grid, "Which grid of an OpenVDB file; empty = density.");
     d.field("scale", &V::scale, "Multiplies its values.").range(0.0, 1e9);

@@ -189,7 +189,8 @@ float DensityEvaluator::noise_bound(const Bounds& local) const {
         variance += size * size;
     }
     const float most = kSlack * sum / std::sqrt(variance * physics::kGradientNoiseVariance);
-    return std::min(kSlack * physics::noise_to_density(most, noise.coverage) + 3e-5f / std::max(noise.coverage, 1e-4f), 1.0f);
+    return std::min(kSlack * physics::noise_to_density(most, noise.coverage) + 3e-5f / std::max(noise.coverage, 1e-4f),
+                    1.0f);
 }
 
 float DensityEvaluator::gradient_bound(const Bounds& local) const {

@@ -17,7 +17,8 @@ std::shared_ptr<const VolumeAsset> MadeVolumes::get(std::string key, FunctionRef
 }
 
 void MadeVolumes::collect() {
-    std::erase_if(entries_, [](const auto& entry) { return !entry.second.asset || entry.second.asset.use_count() == 1; });
+    std::erase_if(entries_,
+                  [](const auto& entry) { return !entry.second.asset || entry.second.asset.use_count() == 1; });
 }
 
 }  // namespace tyndall

@@ -13,8 +13,8 @@ namespace tyndall {
 /// `source`, for a mesh without triangles, without an extent, or with open edges: it has no inside.
 [[nodiscard]] Volume voxelised(const Mesh& mesh, int resolution, const std::string& source);
 
-/// How many edges do not belong to an even number of triangles, where vertices in the same place are one: 0 for a closed
-/// mesh.
+/// How many edges do not belong to an even number of triangles, where vertices in the same place are one: 0 for a
+/// closed mesh.
 [[nodiscard]] size_t open_edges(const Mesh& mesh);
 
 }  // namespace tyndall

@@ -87,9 +87,11 @@ std::vector<Particle> load_particles(const std::filesystem::path& file) {
     } else {
         particles = read_text(text, file.string());
     }
-    if (particles.empty()) fail(file.string(), 0, "there are no particles in the file", "lines of x y z, or a PLY file");
+    if (particles.empty())
+        fail(file.string(), 0, "there are no particles in the file", "lines of x y z, or a PLY file");
     if (particles.size() > kMostParticles)
-        fail(file.string(), 0, fmt::format("{} particles", particles.size()), fmt::format("at most {}", kMostParticles));
+        fail(file.string(), 0, fmt::format("{} particles", particles.size()),
+             fmt::format("at most {}", kMostParticles));
     return particles;
 }
 

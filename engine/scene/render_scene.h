@@ -147,7 +147,7 @@ enum class MediumShape : uint32_t { whole_scene, box, ellipsoid, layer };
 /// A participating medium in the air: overlapping media add, and there is none of it inside a ScatteringInterior.
 struct Medium {
     MediumShape shape = MediumShape::box;
-    glm::mat4 transform{1.0f};  ///< box, ellipsoid: the unit box [-1/2, 1/2]^3 to the world
+    glm::mat4 transform{1.0f};                      ///< box, ellipsoid: the unit box [-1/2, 1/2]^3 to the world
     float layer_low_m = 0.0f, layer_high_m = 0.0f;  ///< layer: from this height to that
     glm::vec3 sigma_s_per_m{0.0f};
     glm::vec3 sigma_a_per_m{0.0f};

@@ -109,7 +109,7 @@ using DensityChoice = std::variant<ConstantDensity, HeightDensity, BlobDensity, 
 [[nodiscard]] std::vector<std::string> density_names();
 /// Where and when a volume is shown.
 struct VolumePlace {
-    Bounds box;                 ///< what it fills, in local space
+    Bounds box;  ///< what it fills, in local space
     glm::mat4 local_to_world;
     double time_s = 0.0;
 };

@@ -69,8 +69,8 @@ class VolumeStream {
 
     std::mutex mutex_;
     std::condition_variable wanted_, finished_;
-    Entries entries_;                 ///< guarded by mutex_, as all below
-    std::deque<VolumeFrame> queue_;   ///< next first
+    Entries entries_;                ///< guarded by mutex_, as all below
+    std::deque<VolumeFrame> queue_;  ///< next first
     bool ending_ = false;
     uint64_t clock_ = 0;
     std::map<std::string, std::shared_ptr<const VolumeAsset>> last_;  ///< by sequence

@@ -75,7 +75,8 @@ void MediaBuffer::add(Blocks& blocks, const Medium& medium, const glm::mat4& box
     if (const auto* product = std::get_if<ProductDensity>(&medium.density)) {
         add_density(blocks, *product->base, time_s);
         record.shape.y = 1.0f;
-        if (product->layer) record.shape.z = product->layer->base_m, record.shape.w = 1.0f / product->layer->scale_height_m;
+        if (product->layer)
+            record.shape.z = product->layer->base_m, record.shape.w = 1.0f / product->layer->scale_height_m;
         if (product->mask) {
             record.mask_size = grid_size(*product->mask);
             record.mask_from_world = product->mask->to_volume * record.box_from_world;
@@ -107,8 +108,8 @@ void MediaBuffer::add_density(Blocks& blocks, const DensityField& density, doubl
         add_blobs(blocks, *field);
     } else if (const auto* gradient = std::get_if<GradientDensity>(&density)) {
         record.ramp_from = glm::vec4(gradient->from, gradient->radial ? 2.0f : 1.0f);
-        record.ramp_to = gradient->radial ? glm::vec4(gradient->inner, gradient->outer, 0.0f, 0.0f)
-                                          : glm::vec4(gradient->to, 0.0f);
+        record.ramp_to =
+            gradient->radial ? glm::vec4(gradient->inner, gradient->outer, 0.0f, 0.0f) : glm::vec4(gradient->to, 0.0f);
         record.ramp_ends = glm::vec4(gradient->start, gradient->end, 0.0f, 0.0f);
     } else if (const auto* grid = std::get_if<GridDensity>(&density); grid && grid->volume) {
         const glm::vec4 size = grid_size(*grid);

@@ -40,8 +40,8 @@ Volume halved(const Volume& fine) {
             for (int x = 0; x < coarse.size.x; ++x) {
                 float sum = 0.0f;
                 for (int k = 0; k < 8; ++k) {
-                    const glm::ivec3 at = glm::min(2 * glm::ivec3(x, y, z) + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2),
-                                                   fine.size - 1);
+                    const glm::ivec3 at =
+                        glm::min(2 * glm::ivec3(x, y, z) + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2), fine.size - 1);
                     sum += fine.at(at.x, at.y, at.z);
                 }
                 coarse.values.push_back(sum / 8.0f);
@@ -99,7 +99,8 @@ glm::vec4 MediaTextures::place(const VolumeAsset& volume) const {
 bool MediaTextures::replace_grids(const Volumes& volumes) {
     if (volumes.size() != slots_.size()) return false;
     for (size_t i = 0; i < volumes.size(); ++i)
-        if (glm::any(glm::greaterThan(after_halvings(volumes[i]->volume.size, halvings_), slots_[i].room))) return false;
+        if (glm::any(glm::greaterThan(after_halvings(volumes[i]->volume.size, halvings_), slots_[i].room)))
+            return false;
     for (size_t i = 0; i < volumes.size(); ++i) {
         if (slots_[i].volume == volumes[i]) continue;
         slots_[i].volume = volumes[i];
@@ -109,7 +110,8 @@ bool MediaTextures::replace_grids(const Volumes& volumes) {
 }
 
 std::string MediaTextures::place_grids(Volumes volumes) {
-    const bool changes = !slots_.empty() && slots_.size() == volumes.size();  // a sequence: leave room for larger frames
+    const bool changes =
+        !slots_.empty() && slots_.size() == volumes.size();  // a sequence: leave room for larger frames
     std::vector<glm::ivec3> rooms;
     for (halvings_ = 0;; ++halvings_) {
         rooms.clear();
@@ -131,9 +133,10 @@ std::string MediaTextures::place_grids(Volumes volumes) {
         layer += rooms[i].z;
         upload(slots_.back());
     }
-    return halvings_ > 0 ? fmt::format("detail of grids that are too large for the GPU: 1 voxel of {} along each axis is left",
-                                       1 << halvings_)
-                         : "";
+    return halvings_ > 0
+               ? fmt::format("detail of grids that are too large for the GPU: 1 voxel of {} along each axis is left",
+                             1 << halvings_)
+               : "";
 }
 
 void MediaTextures::upload(Slot& slot) {

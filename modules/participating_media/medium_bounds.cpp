@@ -24,8 +24,7 @@ PlacedBounds masked(std::shared_ptr<const VolumeAsset> mask, const glm::mat4& tr
     const Volume& volume = mask->volume;
     const glm::vec3 size = glm::vec3(volume.size) * volume.voxel_m;
     PlacedBounds placed =
-        boxed(MediumShape::box,
-              glm::scale(glm::translate(transform, volume.low_m + 0.5f * size), size));
+        boxed(MediumShape::box, glm::scale(glm::translate(transform, volume.low_m + 0.5f * size), size));
     placed.mask = GridDensity{std::move(mask), glm::translate(glm::mat4(1.0f), glm::vec3(0.5f))};
     return placed;
 }
@@ -42,8 +41,8 @@ struct Place {
     PlacedBounds operator()(const LayerBounds& layer) const {
         PlacedBounds placed = boxed(MediumShape::layer, context.transform);
         placed.low_m = layer.base_m;
-        placed.high_m = layer.top_m > 0.0f ? layer.base_m + layer.top_m
-                                           : layer.base_m + kScaleHeights * layer.scale_height_m;
+        placed.high_m =
+            layer.top_m > 0.0f ? layer.base_m + layer.top_m : layer.base_m + kScaleHeights * layer.scale_height_m;
         placed.layer = HeightDensity{layer.base_m, layer.scale_height_m};
         return placed;
     }

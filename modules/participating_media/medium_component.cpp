@@ -60,7 +60,8 @@ void add_black_body(const MediumComponent& authored, AssetStore& assets, const V
     }
     const auto* density = std::get_if<VolumeDensity>(&authored.density);
     if (from.file.empty() && !density)
-        throw Error("the black body's grid '" + from.grid + "' is in no file (expected its file, or a density from a volume)");
+        throw Error("the black body's grid '" + from.grid +
+                    "' is in no file (expected its file, or a density from a volume)");
     VolumeDensity volume;
     if (from.file.empty())
         volume = *density;

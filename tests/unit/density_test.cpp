@@ -200,9 +200,8 @@ TEST(Density, AProductIsItsFactorsAndBoundedByThem) {
     const ProductDensity product{std::make_shared<const DensityField>(noise), std::get<GridDensity>(mask),
                                  HeightDensity{18.0f, 2.5f}};
     const DensityEvaluator density(product, placement(), 1.0);
-    const DensityEvaluator factors[] = {{noise, placement(), 1.0},
-                                        {mask, placement(), 1.0},
-                                        {HeightDensity{18.0f, 2.5f}, placement(), 1.0}};
+    const DensityEvaluator factors[] = {
+        {noise, placement(), 1.0}, {mask, placement(), 1.0}, {HeightDensity{18.0f, 2.5f}, placement(), 1.0}};
     Random random(12);
     for (int i = 0; i < 500; ++i) {
         const glm::vec3 p = random.inside(kUnitBox);

@@ -31,12 +31,10 @@ struct Published {
 
 TEST(MieSeries, GivesThePublishedEfficiencies) {
     // Bohren & Huffman, appendix A; Wiscombe, "Mie Scattering Calculations", NCAR/TN-140+STR (1979), tables
-    const Published published[] = {{5.21282, {1.55, 0.0}, 3.10543, 3.10543, 0.63314},
-                                   {1.0, {1.33, 1e-5}, 0.093952, 0.093923, 0.184517},
-                                   {100.0, {1.33, 1e-5}, 2.101321, 2.096594, 0.868959},
-                                   {10000.0, {1.33, 1e-5}, 2.004089, 1.723857, 0.907840},
-                                   {1.0, {1.5, 1.0}, 2.336321, 0.663454, 0.192136},
-                                   {100.0, {1.5, 1.0}, 2.097502, 1.283697, 0.850252}};
+    const Published published[] = {
+        {5.21282, {1.55, 0.0}, 3.10543, 3.10543, 0.63314},   {1.0, {1.33, 1e-5}, 0.093952, 0.093923, 0.184517},
+        {100.0, {1.33, 1e-5}, 2.101321, 2.096594, 0.868959}, {10000.0, {1.33, 1e-5}, 2.004089, 1.723857, 0.907840},
+        {1.0, {1.5, 1.0}, 2.336321, 0.663454, 0.192136},     {100.0, {1.5, 1.0}, 2.097502, 1.283697, 0.850252}};
     for (const Published& p : published) {
         const MieSeries series(p.x, p.m);
         EXPECT_NEAR(series.extinction(), p.extinction, 1e-5 * p.extinction) << p.x;
@@ -90,7 +88,8 @@ size_t peak(const DropletTable& table, int channel, double from_deg, double to_d
 }
 
 TEST(DropletTable, LargeDropsMakeARainbow) {
-    const DropletTable table = droplet_table({.radius_um = 100.0, .variance = 0.02, .sizes = 16, .wavelengths = 6, .step_deg = 0.5});
+    const DropletTable table =
+        droplet_table({.radius_um = 100.0, .variance = 0.02, .sizes = 16, .wavelengths = 6, .step_deg = 0.5});
     const size_t red = peak(table, 0, 132.0, 150.0), blue = peak(table, 2, 132.0, 150.0);
     RecordProperty("red_bow_deg", std::to_string(table.angles_deg[red]));
     std::printf("rainbow: red at %.1f, blue at %.1f degrees\n", table.angles_deg[red], table.angles_deg[blue]);
@@ -103,7 +102,8 @@ TEST(DropletTable, LargeDropsMakeARainbow) {
 }
 
 TEST(DropletTable, CloudsHaveAGlory) {
-    const DropletTable table = droplet_table({.radius_um = 6.0, .variance = 0.02, .sizes = 24, .wavelengths = 8, .step_deg = 0.5});
+    const DropletTable table =
+        droplet_table({.radius_um = 6.0, .variance = 0.02, .sizes = 24, .wavelengths = 8, .step_deg = 0.5});
     const auto at = [&](double angle) { return table.values[size_t(std::lround(angle / 0.5))].y; };
     std::printf("glory: %.4f at 180, %.4f at 170, %.4f at 120 degrees\n", at(180.0), at(170.0), at(120.0));
     EXPECT_GT(at(180.0), 1.5 * at(170.0));

@@ -18,7 +18,8 @@ TEST(CellularNoise, HasTheMomentsThatItsNormalisationAssumes) {
         const double d = cell_distance(p, 77u);
         sum += d;
         squares += d * d;
-        if (i % 10 == 0) steepest = std::max(steepest, std::abs(double(cell_distance(p + vec3(0, 0.01f, 0), 77u)) - d) / 0.01);
+        if (i % 10 == 0)
+            steepest = std::max(steepest, std::abs(double(cell_distance(p + vec3(0, 0.01f, 0), 77u)) - d) / 0.01);
     }
     const double mean = sum / kCount, deviation = std::sqrt(squares / kCount - mean * mean);
     measured("mean distance to a cell's point", mean);
@@ -86,7 +87,8 @@ TEST(FilteredNoise, KeepsTheAmountAndLosesTheFlicker) {
                     sum += density;
                     squares += density * density;
                 }
-                return std::pair(sum / kCount, std::sqrt(std::max(squares / kCount - sum * sum / kCount / kCount, 0.0)));
+                return std::pair(sum / kCount,
+                                 std::sqrt(std::max(squares / kCount - sum * sum / kCount / kCount, 0.0)));
             };
             const auto [mean, deviation] = statistics(0.0f);
             const auto [far_mean, far_deviation] = statistics(1.0f);

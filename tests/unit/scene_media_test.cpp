@@ -72,7 +72,8 @@ TEST(MeshMask, SaysWhichMeshIsNotClosed) {
     Mesh broken = make_primitive(Primitive::sphere, 16);
     broken.indices.resize(broken.indices.size() - 300);
     EXPECT_GT(open_edges(broken), 0u);
-    expect_parts(error_of([&] { (void)voxelised(broken, 16, "shell.ply"); }), {"shell.ply", "not closed", "open edges"});
+    expect_parts(error_of([&] { (void)voxelised(broken, 16, "shell.ply"); }),
+                 {"shell.ply", "not closed", "open edges"});
     expect_parts(error_of([&] { (void)voxelised(Mesh{}, 16, "void.ply"); }), {"void.ply", "no triangles"});
 }
 
@@ -94,7 +95,8 @@ TEST(Particles, AddUpAndKeepTheirAmount) {
 
 TEST(Particles, WithoutAnyThereIsAMessage) {
     const float infinite = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
-    const std::vector<Particle> none, bad = {{{0, 0, 0}, 0.0f, 1.0f}, {{0, nan, 0}, 1.0f, 1.0f}, {{infinite, 0, 0}, 1.0f, 1.0f}};
+    const std::vector<Particle> none,
+        bad = {{{0, 0, 0}, 0.0f, 1.0f}, {{0, nan, 0}, 1.0f, 1.0f}, {{infinite, 0, 0}, 1.0f, 1.0f}};
     expect_parts(error_of([&] { (void)rasterised(none, 16); }), {"no particles"});
     expect_parts(error_of([&] { (void)rasterised(bad, 16); }), {"no particles"});
 }
@@ -144,7 +146,9 @@ TEST_F(MediaFiles, BrokenParticlesAreReportedByLine) {
     write("bad.txt", "0 0 0 1\n0 zero 0 1\n");
     write("short.txt", "0 0\n");
     write("empty.txt", "# nothing\n");
-    write("nan.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\nnan 2 3\n");
+    write("nan.ply",
+          "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
+          "z\nend_header\nnan 2 3\n");
     expect_parts(error_of([&] { (void)assets_->particles("bad.txt"); }), {"bad.txt:2", "'zero'"});
     expect_parts(error_of([&] { (void)assets_->particles("short.txt"); }), {"short.txt:1", "x y z"});
     expect_parts(error_of([&] { (void)assets_->particles("empty.txt"); }), {"empty.txt", "no particles"});
@@ -215,8 +219,8 @@ TEST_F(MediaFiles, GridsOfAFileKeepTheirPlaces) {
     // two volumes of one space: the second fills the upper half of the first's box
     auto made = [&](const std::string& name, glm::ivec3 size) {
         write(name + ".raw", std::string(size_t(size.x * size.y * size.z), '\xff'));
-        write(name + ".json", R"({"raw": ")" + name + R"(.raw", "type": "u8", "size": [)" + std::to_string(size.x) + ", " +
-                                  std::to_string(size.y) + ", " + std::to_string(size.z) + "]}");
+        write(name + ".json", R"({"raw": ")" + name + R"(.raw", "type": "u8", "size": [)" + std::to_string(size.x) +
+                                  ", " + std::to_string(size.y) + ", " + std::to_string(size.z) + "]}");
     };
     made("all", {4, 4, 4});
     VolumeDensity density;

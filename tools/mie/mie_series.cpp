@@ -11,7 +11,8 @@ using Complex = std::complex<double>;
 /// Logarithmic derivatives D_n(z) of psi_n, n = 0..last, by the recurrence downwards, which forgets where it started.
 std::vector<Complex> logarithmic_derivatives(Complex z, int last) {
     const double size = std::abs(z);
-    // the start is forgotten beyond |z| only, over some |z|^(1/3): Bohren & Huffman's 16 orders are too few for large balls
+    // the start is forgotten beyond |z| only, over some |z|^(1/3): Bohren & Huffman's 16 orders are too few for large
+    // balls
     const int start = std::max(last, static_cast<int>(size + 8.0 * std::cbrt(size))) + 16;
     std::vector<Complex> d(static_cast<size_t>(start) + 1);
     for (int n = start; n > 0; --n) {

@@ -19,8 +19,8 @@ class MieSeries {
     [[nodiscard]] double scattering() const;
     /// Mean cosine of the scattering angle.
     [[nodiscard]] double mean_cosine() const;
-    /// Adds `weight` (|S1|^2 + |S2|^2) / 2 at each scattering angle's cosine: k^2 times the differential cross section of
-    /// unpolarised light.
+    /// Adds `weight` (|S1|^2 + |S2|^2) / 2 at each scattering angle's cosine: k^2 times the differential cross section
+    /// of unpolarised light.
     void add_intensity(std::span<const double> cosines, double weight, std::span<double> intensity) const;
 
  private:

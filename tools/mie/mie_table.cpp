@@ -163,13 +163,15 @@ DropletTable droplet_table(const DropletCloud& cloud) {
     const glm::dvec3 integral = sphere_integral(table.values, false);
     for (glm::dvec3& value : table.values) value /= integral;
     table.mean_cosine = sphere_integral(table.values, true);
-    for (size_t i = 0; i < count; ++i) table.angles_deg.push_back(180.0 * static_cast<double>(i) / static_cast<double>(count - 1));
+    for (size_t i = 0; i < count; ++i)
+        table.angles_deg.push_back(180.0 * static_cast<double>(i) / static_cast<double>(count - 1));
     return table;
 }
 
 std::string table_text(const DropletTable& table, const DropletCloud& cloud) {
     std::string text = fmt::format(
-        "# Phase function of water droplets, computed by `tyndall mie --radius-um {} --variance {} --sizes {} --wavelengths {} "
+        "# Phase function of water droplets, computed by `tyndall mie --radius-um {} --variance {} --sizes {} "
+        "--wavelengths {} "
         "--step-deg {}`\n"
         "# mean cosine {:.4f} {:.4f} {:.4f}; extinction efficiency {:.3f} {:.3f} {:.3f}\n"
         "# angle_deg red green blue (1/sr)\n",

@@ -48,7 +48,8 @@ void add_mie(CLI::App& app, Command& command) {
     mie->add_option("--wavelengths", options->cloud.wavelengths, "Wavelengths to sum over")
         ->check(CLI::Range(3, 500))
         ->capture_default_str();
-    mie->add_option("--step-deg", options->cloud.step_deg, "Between the table's angles; values are means over that width")
+    mie->add_option("--step-deg", options->cloud.step_deg,
+                    "Between the table's angles; values are means over that width")
         ->check(CLI::Range(0.01, 5.0))
         ->capture_default_str();
     mie->add_option("--out", options->out, "The file to write; without it, the table is printed");
