@@ -16,6 +16,7 @@ namespace tyndall::mie {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr double kAirIndex = 1.000272;  ///< of visible light at 20 C
 constexpr double kFirstNm = 390.0, kLastNm = 720.0;
 constexpr int kFiner = 6;  ///< angles computed for each one of the table
 
@@ -127,7 +128,7 @@ std::complex<double> water_index(double wavelength_nm) {
                          2.45934259e-3 / (l2 - 0.2292020 * 0.2292020) + 0.900704920 / (l2 - 5.432937 * 5.432937) -
                          1.66626219e-2 * density * density;
     const double lorentz = right * density;
-    const double real = std::sqrt((1.0 + 2.0 * lorentz) / (1.0 - lorentz));
+    const double real = std::sqrt((1.0 + 2.0 * lorentz) / (1.0 - lorentz)) / kAirIndex;
     constexpr std::array<double, 7> kAbsorption = {0.00663, 0.00922, 0.0204, 0.0565, 0.2224, 0.340, 0.624};  // 1/m
     const double at = std::clamp((wavelength_nm - 400.0) / 50.0, 0.0, 5.999999);
     const auto low = static_cast<size_t>(at);

@@ -45,6 +45,8 @@ uniform int media_count;
 #endif
 uniform int media_light_steps;  // samples on the way through noise and grids
 uniform sampler3D media_grids;  // voxels of all grids, stacked along z
+// Where in their steps samples along a line are taken: solvers that average over pixels set it to noise.
+float media_sample_offset = 0.5;
 
 vec3 medium_place(int i, vec3 p) { return (media[i].box_from_world * vec4(p, 1.0)).xyz; }
 
@@ -139,7 +141,7 @@ float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int 
     int count = shared_out || media[i].sampled.x + media[i].grid_size.x + media[i].ramp_from.w > 0.0 ? samples : 0;
     float step_m = ds / float(samples);
     for (int s = 0; s < count; ++s) {
-        vec3 p = origin + direction * (t0 + (float(s) + 0.5) * step_m);
+        vec3 p = origin + direction * (t0 + (float(s) + media_sample_offset) * step_m);
         float density = sampled_density(i, p, step_m);
         for (int k = 0; k < int(media[i].shape.y); ++k) density = (density + closed_density(i, p)) * density_share(i, p);
         column += density * step_m;

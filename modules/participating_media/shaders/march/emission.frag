@@ -20,6 +20,7 @@ void main() {
     vec3 direction = eye_ray(uv);
     float t0 = 0.0, t1 = depth > 0.0 ? eye_distance(uv, depth) : farthest;
     float offset = fixed_offset >= 0.0 ? fixed_offset : texelFetch(blue_noise, ivec2(gl_FragCoord.xy) & 63, 0).r;
+    media_sample_offset = fixed_offset >= 0.0 ? 0.5 : fract(offset + 0.61803399);  // not the steps' own offset
     glow = vec4(0.0);
     if (!clip_to_medium(medium, origin, direction, t0, t1)) return;
     float ds = (t1 - t0) / float(steps);

@@ -80,6 +80,7 @@ void main() {
     Ray ray = Ray(frame.eye_near.xyz, eye_ray(uv));
     float end = depth > 0.0 ? eye_distance(uv, depth) : farthest;
     float offset = fixed_offset >= 0.0 ? fixed_offset : texelFetch(blue_noise, ivec2(gl_FragCoord.xy) & 63, 0).r;
+    media_sample_offset = fixed_offset >= 0.0 ? 0.5 : fract(offset + 0.61803399);  // not the steps' own offset
 
     in_scatter = vec4(0.0, 0.0, 0.0, end);
     float t0 = 0.0, t1 = end;
