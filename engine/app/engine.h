@@ -57,6 +57,9 @@ class Engine {
     /// The next frame has no history, and the clock starts again at 0.
     void restart_clock();
     void cut() { cut_ = true; }
+    /// Whether frames of volume sequences may come late (AssetStore::set_streaming): for what is played, not for
+    /// pictures.
+    void set_streaming(bool on) { assets_.set_streaming(on); }
 
     /// Reloads what changed on disk: modules, shaders, assets, the scene, the OCIO configuration. Broken ones keep
     /// their last good state. `scene` is empty until the next frame.

@@ -36,6 +36,7 @@ Player::Player(const PlayerOptions& options)
       bindings_(platform::Bindings::load(paths::root() / "config" / "input.json")),
       engine_(true, options.ocio),
       overlay_(window_) {
+    engine_.set_streaming(true);
     engine_.load_scene(options_.scene, options_.changes);
     if (!options_.camera.empty()) engine_.select_camera(options_.camera);
     engine_.renderer().show(options_.view);

@@ -135,21 +135,21 @@ Header read_header(TextScanner& text) {
 
 /// Which of the names that writers use for a vertex' values this is; -1: none of interest.
 int vertex_slot(std::string_view name) {
-    constexpr std::pair<std::string_view, int> kSlots[] = {{"x", 0},  {"y", 1},  {"z", 2},         {"nx", 3},
-                                                           {"ny", 4}, {"nz", 5}, {"u", 6},         {"v", 7},
-                                                           {"s", 6},  {"t", 7},  {"texture_u", 6}, {"texture_v", 7}};
+    constexpr std::pair<std::string_view, int> kSlots[] = {
+        {"x", 0}, {"y", 1}, {"z", 2}, {"nx", 3},        {"ny", 4},        {"nz", 5},    {"u", 6},
+        {"v", 7}, {"s", 6}, {"t", 7}, {"texture_u", 6}, {"texture_v", 7}, {"radius", 8}};
     for (const auto& [known, slot] : kSlots)
         if (name == known) return slot;
     return -1;
 }
 
 void read_vertices(Values& values, const Element& element, PolygonMesh& mesh) {
-    bool has[8] = {};
+    bool has[9] = {};
     for (const Property& property : element.properties)
         if (const int slot = vertex_slot(property.name); slot >= 0 && !property.is_list) has[slot] = true;
     if (!has[0] || !has[1] || !has[2]) values.fail("the vertices have no x, y and z");
     for (long long i = 0; i < element.count; ++i) {
-        float v[8] = {};
+        float v[9] = {};
         for (const Property& property : element.properties) {
             const double count = property.is_list ? values.next(property.count_type) : 1;
             for (double k = 0; k < count; ++k) {
@@ -159,6 +159,7 @@ void read_vertices(Values& values, const Element& element, PolygonMesh& mesh) {
         }
         mesh.positions.emplace_back(v[0], v[1], v[2]);
         if (has[3] && has[4] && has[5]) mesh.normals.emplace_back(v[3], v[4], v[5]);
+        if (has[8]) mesh.radii.push_back(v[8]);
         if (has[6] && has[7]) mesh.uvs.emplace_back(v[6], 1.0f - v[7]);  // from the picture's bottom, as in OBJ
     }
 }

@@ -20,6 +20,7 @@ struct PolygonMesh {
     std::vector<std::uint32_t> uv_corners;  ///< indices of uvs, as many as corners; or empty
     std::vector<glm::vec3> normals;
     std::vector<std::uint32_t> normal_corners;  ///< indices of normals, as many as corners; or empty
+    std::vector<float> radii;                   ///< one for each position, for clouds of balls; or empty
 };
 
 /// Reads an OBJ, PLY, OFF or STL file as it is. Throws Error as load_mesh does.

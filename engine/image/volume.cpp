@@ -57,6 +57,7 @@ Volume load_volume(const std::filesystem::path& file, std::string_view grid,
         Volume volume = read(file, grid, sources ? *sources : unused);
         if (!std::ranges::all_of(volume.values, [](float value) { return std::isfinite(value); }))
             fail(file, "the volume has values that are not finite numbers");
+        for (float& value : volume.values) value = std::max(value, 0.0f);  // amounts; filters may undershoot a little
         return volume;
     } catch (const Error&) {
         throw;
@@ -65,6 +66,16 @@ Volume load_volume(const std::filesystem::path& file, std::string_view grid,
     } catch (const std::exception& error) {
         fail(file, std::string("the volume cannot be read: ") + error.what());
     }
+}
+
+glm::mat4 to_unit_box(const Volume& volume) {
+    glm::mat4 map(1.0f);
+    for (int axis = 0; axis < 3; ++axis) {
+        const float edge = static_cast<float>(volume.size[axis]) * volume.voxel_m[axis];
+        map[axis][axis] = 1.0f / edge;
+        map[3][axis] = -volume.low_m[axis] / edge;
+    }
+    return map;
 }
 
 }  // namespace tyndall

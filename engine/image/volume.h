@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@ namespace tyndall {
 struct Volume {
     glm::ivec3 size{0};         ///< voxels along x, y, z
     glm::vec3 voxel_m{1.0f};    ///< edge lengths of a voxel as the file has them; only their ratios matter for fitting
+    glm::vec3 low_m{0.0f};      ///< the low corner of its box in the file's own space, in the same units
     std::vector<float> values;  ///< size.x * size.y * size.z, finite
 
     [[nodiscard]] float at(int x, int y, int z) const {
@@ -21,6 +23,9 @@ struct Volume {
                       static_cast<size_t>(x)];
     }
 };
+
+/// From the file's own space to [0, 1]^3 over the volume's box.
+[[nodiscard]] glm::mat4 to_unit_box(const Volume& volume);
 
 /// A volume has at most so many voxels: a gigabyte of them.
 inline constexpr int64_t kMaxVoxels = int64_t{1} << 28;

@@ -90,7 +90,7 @@ Volume load_raw_volume(const std::filesystem::path& file, std::string_view text,
     const std::string order = description.text("byte_order", "little");
     if (order != "little" && order != "big")
         description.fail("byte_order", "unknown byte order '" + order + "'", "little or big");
-    Volume volume;
+    Volume volume{};
     const glm::dvec3 size = description.triple("size", 1.0, 65536.0, nullptr);
     if (size != glm::floor(size)) description.fail("size", "not whole numbers", "voxels along x, y and z");
     check_volume_size(file, int64_t(size.x), int64_t(size.y), int64_t(size.z));

@@ -65,8 +65,14 @@ struct VdbFile {
 /// How a Volume crosses from one process to the other, before its values.
 struct Header {
     glm::ivec3 size;
-    glm::vec3 voxel_m;
+    glm::vec3 voxel_m, low_m;
 };
+
+/// Where the low corner of the box is; grids that are turned are taken as if they were not.
+glm::vec3 low_corner(const openvdb::math::Transform& transform, const openvdb::Coord& first) {
+    const openvdb::Vec3d low = transform.indexToWorld(first.asVec3d() - openvdb::Vec3d(0.5));
+    return {low.x(), low.y(), low.z()};
+}
 
 std::string read_grid(const std::filesystem::path& path, const std::string& name) {
     const VdbFile file(path);
@@ -76,7 +82,8 @@ std::string read_grid(const std::filesystem::path& path, const std::string& name
     const auto extent = [&](int axis) { return int64_t{box.max()[axis]} - int64_t{box.min()[axis]} + 1; };
     check_volume_size(path, extent(0), extent(1), extent(2));
     const openvdb::Vec3d voxel = grid->voxelSize();
-    Header header{glm::ivec3(extent(0), extent(1), extent(2)), glm::vec3(voxel.x(), voxel.y(), voxel.z())};
+    Header header{glm::ivec3(extent(0), extent(1), extent(2)), glm::vec3(voxel.x(), voxel.y(), voxel.z()),
+                  low_corner(grid->transform(), box.min())};
     for (int axis = 0; axis < 3; ++axis)
         if (!(header.voxel_m[axis] > 0.0f && header.voxel_m[axis] < 1e9f))
             file.fail("the voxels of grid '" + name + "' have no size");
@@ -95,7 +102,7 @@ Volume load_vdb(const std::filesystem::path& path, std::string_view name) {
     Header header{};
     if (bytes.size() < sizeof(Header)) throw Error(Diagnostic{{path.string()}, "reading it gave nothing", {}, {}});
     std::memcpy(&header, bytes.data(), sizeof(Header));
-    Volume volume{header.size, header.voxel_m, {}};
+    Volume volume{header.size, header.voxel_m, header.low_m, {}};
     volume.values.resize((bytes.size() - sizeof(Header)) / sizeof(float));
     std::memcpy(volume.values.data(), bytes.data() + sizeof(Header), volume.values.size() * sizeof(float));
     return volume;

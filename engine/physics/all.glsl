@@ -1,5 +1,6 @@
 /// Everything in this folder; physics.h and the tests include it.
 #include "physics/airlight.glsl"
+#include "physics/black_body.glsl"
 #include "physics/constants.glsl"
 #include "physics/fresnel.glsl"
 #include "physics/ggx.glsl"
@@ -8,6 +9,7 @@
 #include "physics/noise.glsl"
 #include "physics/phase.glsl"
 #include "physics/phase_sampling.glsl"
+#include "physics/ramp.glsl"
 #include "physics/sampling.glsl"
 #include "physics/sequences.glsl"
 #include "physics/sh.glsl"

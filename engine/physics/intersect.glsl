@@ -36,6 +36,18 @@ FN bool clip_to_sphere(vec3 origin, vec3 direction, vec3 center, float radius, I
     return t0 < t1;
 }
 
+/// Inside the ball of radius 1/2 about the origin, the largest in the unit box. `direction` may have any length but 0: in
+/// the local space of an ellipsoid t stays in metres.
+FN bool clip_to_unit_ball(vec3 origin, vec3 direction, INOUT(float) t0, INOUT(float) t1) {
+    float speed2 = max(dot(direction, direction), 1e-30f);
+    float nearest = -dot(origin, direction) / speed2;
+    vec3 offset = origin + nearest * direction;
+    float half_chord = sqrt(max(0.25f - dot(offset, offset), 0.0f) / speed2);
+    t0 = max(t0, nearest - half_chord);
+    t1 = min(t1, nearest + half_chord);
+    return t0 < t1;
+}
+
 /// Inside the front nappe of the infinite cone with this apex, unit axis and cosine of the half-angle, which lies
 /// strictly between 0 and 1: a wider cone is not convex.
 FN bool clip_to_infinite_cone(vec3 origin, vec3 direction, vec3 apex, vec3 axis, float cos_angle, INOUT(float) t0,

@@ -3,148 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <unordered_map>
 
 #include "color/color.h"
-#include "core/error.h"
-#include "core/file_watch.h"
-#include "core/log.h"
 #include "core/paths.h"
+#include "scene/asset_cache.h"
 #include "scene/gltf_import.h"
+#include "scene/made_volumes.h"
+#include "scene/mesh_mask.h"
 #include "scene/phase_table.h"
 #include "scene/texture_loading.h"
+#include "scene/volume_stream.h"
 
 namespace tyndall {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kProjectAssets = "assets:";
-
-/// Whether the extractors' users hold the asset, or anything in it.
-template <class Asset>
-bool held_elsewhere(const std::shared_ptr<const Asset>& asset) {
-    return asset.use_count() > 1;
-}
-
-template <>
-bool held_elsewhere(const std::shared_ptr<const GltfAsset>& asset) {
-    if (asset.use_count() > 1) return true;
-    std::unordered_map<const void*, long> inside;  // how often each mesh and material hangs on the asset's own nodes
-    const auto count = [&](const auto& visit) {
-        for (const GltfNode& node : asset->nodes)
-            for (const GltfNode::Primitive& primitive : node.primitives) {
-                visit(primitive.mesh);
-                visit(primitive.material);
-            }
-    };
-    bool held = false;
-    count([&](const auto& part) { ++inside[part.get()]; });
-    count([&](const auto& part) { held = held || part.use_count() > inside[part.get()]; });
-    return held;
-}
-
-/// Assets of one kind: by the file they come from, and by the names that were asked for.
-template <class Asset>
-class Cache {
- public:
-    /// Loads from a file; adds every file that it reads, also when it throws.
-    using Load = std::function<Asset(const fs::path& file, std::string_view name, std::vector<fs::path>& sources)>;
-
-    explicit Cache(Load load) : load_(std::move(load)) {}
-
-    /// What `name` was last found to be; null when it was not asked for yet. Throws the Error that loading it threw.
-    std::shared_ptr<const Asset> find(std::string_view name) const {
-        const auto found = names_.find(name);
-        return found == names_.end() ? nullptr : found->second->get();
-    }
-
-    std::shared_ptr<const Asset> load(std::string_view name, const fs::path& file, FileWatch& watch) {
-        const auto [entry, is_new] = entries_.try_emplace(file);
-        if (is_new) {
-            entry->second.name = name;
-            read(file, entry->second, watch);
-        }
-        names_.emplace(name, &entry->second);
-        return entry->second.get();
-    }
-
-    /// Names mean other files from now on.
-    void forget_names() { names_.clear(); }
-
-    bool reload(const std::vector<fs::path>& changed, FileWatch& watch) {
-        bool any = false;
-        for (auto entry = entries_.begin(); entry != entries_.end();) {
-            const auto here = entry++;
-            if (!reads_one_of(here->second, changed)) continue;
-            if (here->second.asset)
-                any = read(here->first, here->second, watch) || any;
-            else {
-                any = true;  // was broken: tried anew when somebody asks
-                erase(here);
-            }
-        }
-        return any;
-    }
-
-    void collect() {
-        for (auto entry = entries_.begin(); entry != entries_.end();) {
-            const auto here = entry++;
-            if (!here->second.asset || !held_elsewhere(here->second.asset)) erase(here);
-        }
-    }
-
-    void add_sources(std::vector<fs::path>& all) const {
-        for (const auto& [file, entry] : entries_) all.insert(all.end(), entry.sources.begin(), entry.sources.end());
-    }
-
- private:
-    struct Entry {
-        std::string name;
-        std::shared_ptr<const Asset> asset;  ///< the last good one
-        std::vector<fs::path> sources;
-        std::optional<Error> error;  ///< why there is no asset
-
-        [[nodiscard]] std::shared_ptr<const Asset> get() const {
-            if (!asset && error) throw Error(*error);
-            return asset;
-        }
-    };
-    using Entries = std::map<fs::path, Entry>;
-
-    static bool reads_one_of(const Entry& entry, const std::vector<fs::path>& changed) {
-        return std::ranges::any_of(entry.sources,
-                                   [&](const fs::path& file) { return std::ranges::binary_search(changed, file); });
-    }
-
-    /// True when there is a new asset. Where loading fails, an older one stays.
-    bool read(const fs::path& file, Entry& entry, FileWatch& watch) {
-        watch.add(file);  // before it is read: a change meanwhile is one more change
-        std::vector<fs::path> sources{file};
-        bool loaded = true;
-        try {
-            entry.asset = std::make_shared<const Asset>(load_(file, entry.name, sources));
-            entry.error.reset();
-        } catch (const Error& error) {
-            loaded = false;
-            if (entry.asset)
-                log::error("{}\n  the one that was loaded before stays in use", error.what());
-            else
-                entry.error = error;
-        }
-        for (const fs::path& source : sources) watch.add(source);
-        entry.sources = std::move(sources);
-        return loaded;
-    }
-
-    void erase(typename Entries::iterator entry) {
-        std::erase_if(names_, [&](const auto& name) { return name.second == &entry->second; });
-        entries_.erase(entry);
-    }
-
-    Load load_;
-    Entries entries_;
-    std::map<std::string, Entry*, std::less<>> names_;
-};
 
 }  // namespace
 
@@ -177,6 +51,7 @@ struct AssetStore::Implementation {
         visit(meshes);
         visit(gltfs);
         visit(phase_tables);
+        visit(particle_sets);
         for (auto& cache : textures) visit(cache);
         for (auto& cache : volumes) visit(cache.second);
     }
@@ -230,6 +105,12 @@ struct AssetStore::Implementation {
     std::map<std::string, Cache<VolumeAsset>, std::less<>> volumes;  ///< one for each name of a grid
     Cache<PhaseTable> phase_tables{
         [](const fs::path& file, std::string_view name, auto&) { return load_phase_table(file, name); }};
+    Cache<ParticleAsset> particle_sets{[](const fs::path& file, std::string_view name, auto&) {
+        return ParticleAsset{.id = new_asset_id(), .name = std::string(name), .particles = load_particles(file)};
+    }};
+    MadeVolumes made;
+    VolumeStream stream;
+    bool streaming = false;
 };
 
 AssetStore::AssetStore(const ColorConfig& config, fs::path base)
@@ -241,6 +122,7 @@ void AssetStore::set_base(fs::path base) {
     self_->base = std::move(base);
     self_->missing.clear();
     self_->each([](auto& cache) { cache.forget_names(); });
+    self_->stream.clear();
 }
 
 fs::path AssetStore::resolve(std::string_view name) const {
@@ -267,6 +149,35 @@ std::shared_ptr<const PhaseTable> AssetStore::phase_table(std::string_view name)
     return self_->get(self_->phase_tables, name);
 }
 
+std::shared_ptr<const ParticleAsset> AssetStore::particles(std::string_view name) {
+    return self_->get(self_->particle_sets, name);
+}
+
+std::shared_ptr<const VolumeAsset> AssetStore::mesh_mask(const MeshAsset& mesh, int resolution) {
+    return self_->made.get("mesh " + std::to_string(mesh.id) + " at " + std::to_string(resolution), [&] {
+        return VolumeAsset{new_asset_id(), mesh.name, voxelised(mesh.mesh, resolution, mesh.name)};
+    });
+}
+
+std::shared_ptr<const VolumeAsset> AssetStore::particle_mask(std::span<const Particle> particles, int resolution) {
+    std::string key = "particles at " + std::to_string(resolution) + ": ";
+    key.append(reinterpret_cast<const char*>(particles.data()), particles.size_bytes());
+    return self_->made.get(std::move(key), [&] {
+        return VolumeAsset{new_asset_id(), "particles", rasterised(particles, resolution)};
+    });
+}
+
+std::shared_ptr<const VolumeAsset> AssetStore::sequence_frame(const VolumeSequence& sequence, int index) {
+    const auto load = [this](const VolumeFrame& frame) -> VolumeStream::Source {
+        return {frame, self_->resolve(frame.name)};
+    };
+    return self_->stream.frame(sequence, index, load, !self_->streaming);
+}
+
+void AssetStore::set_streaming(bool on) {
+    self_->streaming = on;
+}
+
 bool AssetStore::reload_changed() {
     const std::vector<fs::path> changed = self_->watch.changed();
     if (changed.empty()) return false;
@@ -288,6 +199,7 @@ std::vector<fs::path> AssetStore::files() const {
 void AssetStore::collect() {
     const std::vector<fs::path> before = files();
     self_->each([](auto& cache) { cache.collect(); });
+    self_->made.collect();
     const std::vector<fs::path> after = files();
     for (const fs::path& file : before)
         if (!std::ranges::binary_search(after, file)) self_->watch.remove(file);

@@ -3,11 +3,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "scene/particles.h"
 #include "scene/render_scene.h"
+#include "scene/volume_sequence.h"
 
 namespace tyndall {
 
@@ -55,6 +58,22 @@ class AssetStore {
     [[nodiscard]] std::shared_ptr<const VolumeAsset> volume(std::string_view name, std::string_view grid);
     /// A phase function's table (scene/phase_table.h).
     [[nodiscard]] std::shared_ptr<const PhaseTable> phase_table(std::string_view name);
+
+    /// Soft spheres from a file (scene/particles.h).
+    [[nodiscard]] std::shared_ptr<const ParticleAsset> particles(std::string_view name);
+
+    /// Where the inside of a closed mesh is: 1 inside, 0 outside (scene/mesh_mask.h), `resolution` voxels along the
+    /// longest edge; made once. Throws Error, naming the mesh, when it is not closed.
+    [[nodiscard]] std::shared_ptr<const VolumeAsset> mesh_mask(const MeshAsset& mesh, int resolution);
+    /// The density of soft spheres, likewise.
+    [[nodiscard]] std::shared_ptr<const VolumeAsset> particle_mask(std::span<const Particle> particles, int resolution);
+
+    /// The frame with this index of a sequence (scene/volume_sequence.h), and loads the next ones in the background.
+    /// While streaming, the last frame that was there instead of one that is still being read or is broken (which is
+    /// logged), and null before any is there; otherwise waits for it, and throws Error when it cannot be loaded.
+    [[nodiscard]] std::shared_ptr<const VolumeAsset> sequence_frame(const VolumeSequence& sequence, int index);
+    /// Off at first: every picture shows the frame of its own time, whatever the wait. Games turn it on.
+    void set_streaming(bool on);
 
     /// Reloads what changed on disk since it was loaded; a broken file keeps the last good one and logs. True when
     /// something changed.

@@ -23,6 +23,13 @@ bool takes_preset(const StructType& type) {
     return !type.find(kPresetKey);
 }
 
+/// Takes the members out that the plain reader must not see.
+JsonValue without(const JsonValue& object, std::initializer_list<std::string_view> keys) {
+    JsonValue rest = object;
+    std::erase_if(rest.members, [&](const JsonMember& m) { return std::ranges::find(keys, m.key) != keys.end(); });
+    return rest;
+}
+
 void apply_preset(const StructType& type, void* object, const JsonMember& member, Problems& problems) {
     const Problems::Step step(problems, kPresetKey);
     const JsonValue& value = member.value;
@@ -36,17 +43,10 @@ void apply_preset(const StructType& type, void* object, const JsonMember& member
     try {
         const JsonDocument document = parse_json(paths::read_file(file), file.string());
         Problems in_preset(document, problems.list());
-        read_struct(type, object, document.root, in_preset);
+        read_struct(type, object, without(document.root, {kDocKey}), in_preset);
     } catch (const Error& error) {
         for (const Diagnostic& diagnostic : error.diagnostics()) problems.list().push_back(diagnostic);
     }
-}
-
-/// Takes the members out that the plain reader must not see.
-JsonValue without(const JsonValue& object, std::initializer_list<std::string_view> keys) {
-    JsonValue rest = object;
-    std::erase_if(rest.members, [&](const JsonMember& m) { return std::ranges::find(keys, m.key) != keys.end(); });
-    return rest;
 }
 
 const Field& look_at_field() {

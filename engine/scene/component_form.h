@@ -15,6 +15,8 @@ namespace tyndall {
 
 /// The key that names a preset: config/presets/COMPONENT/NAME.json holds fields, those given beside the key override.
 inline constexpr std::string_view kPresetKey = "preset";
+/// Says in a preset where its numbers come from; read by people only.
+inline constexpr std::string_view kDocKey = "doc";
 
 /// The names of a component's presets, sorted; empty when it has none.
 [[nodiscard]] std::vector<std::string> preset_names(std::string_view component);

@@ -1,32 +1,7 @@
-#include <algorithm>
-
 #include "core/error.h"
 #include "scene/scattering_components.h"
 
 namespace tyndall {
-namespace {
-
-/// From a box to [0, 1]^3 over a volume that fills it, or lies in its middle as large as its own proportions allow.
-glm::mat4 to_volume(const Bounds& box, const Volume& volume, VolumeFit fit, const glm::mat4& local_to_world) {
-    glm::vec3 extent = glm::max(box.size(), glm::vec3(1e-12f));
-    if (fit == VolumeFit::contain) {
-        const glm::vec3 volume_m = glm::vec3(volume.size) * volume.voxel_m;
-        glm::vec3 share;  // of the box's edge, before all shrink alike
-        for (int axis = 0; axis < 3; ++axis) {
-            const float edge_m = extent[axis] * glm::length(glm::vec3(local_to_world[axis]));
-            share[axis] = volume_m[axis] / std::max(edge_m, 1e-12f);
-        }
-        extent *= share / std::max({share.x, share.y, share.z});
-    }
-    glm::mat4 map(1.0f);
-    for (int axis = 0; axis < 3; ++axis) {
-        map[axis][axis] = 1.0f / extent[axis];
-        map[3][axis] = 0.5f - box.centre()[axis] / extent[axis];
-    }
-    return map;
-}
-
-}  // namespace
 
 void describe(StructBuilder<ConstantDensity>& d) {
     d.doc("The same everywhere.");
@@ -55,42 +30,77 @@ void describe(StructBuilder<BlobDensity>& d) {
 
 void describe(StructBuilder<NoiseDensity>& d) {
     d.doc("Fractal noise between 0 and 1, fixed in the world: clouds and drifting smoke.");
+    d.field("kind", &NoiseDensity::kind, "perlin: waves; worley: round puffs, at four times the cost.",
+            {"perlin", "worley"});
     d.field("feature_m", &NoiseDensity::feature_m, "Size of the largest features.").unit("m").range(1e-4, 1e6);
     d.field("octaves", &NoiseDensity::octaves,
             "Levels of detail, each half as large and half as strong; time grows with them.")
         .range(1, 16);
     d.field("coverage", &NoiseDensity::coverage, "Share of space that is not empty, roughly.").range(0.0, 1.0);
     d.field("wind_m_s", &NoiseDensity::wind_m_s, "Moves it with the time.").unit("m/s").range(-1e3, 1e3);
+    d.field("swirl", &NoiseDensity::swirl, "Curl noise displaces it by about so many features; 0 costs nothing.")
+        .range(0.0, 8.0);
+    d.field("churn_per_s", &NoiseDensity::churn_per_s, "How fast the swirls change, in features a second.")
+        .unit("1/s")
+        .range(-100.0, 100.0);
 }
 
-void describe(StructBuilder<VolumeDensity>& d) {
-    using V = VolumeDensity;
-    d.doc("A grid of voxels from a file, linear between them.");
-    d.field("file", &V::file, "An OpenVDB file, or a JSON description of a raw one, relative to the scene.")
-        .asset("volume");
-    d.field("grid", &V::grid, "Which grid of an OpenVDB file; empty = density.");
-    d.field("scale", &V::scale, "Multiplies its values.").range(0.0, 1e9);
-    d.field("fit", &V::fit, "stretch fills the box; contain keeps the voxels' proportions.", {"stretch", "contain"});
+void describe(StructBuilder<LinearGradient>& d) {
+    using G = LinearGradient;
+    d.doc("A ramp between two places in the unit box of a medium or the space of a mesh.");
+    d.field("from", &G::from, "Where it starts.").range(-1e6, 1e6);
+    d.field("to", &G::to, "Where it ends.").range(-1e6, 1e6);
+    d.field("start", &G::start, "Density at the start and before it.").range(0.0, 1e6);
+    d.field("end", &G::end, "Density at the end and beyond it.").range(0.0, 1e6);
+}
+
+void describe(StructBuilder<RadialGradient>& d) {
+    using G = RadialGradient;
+    d.doc("A ramp away from a centre, in the unit box of a medium or the space of a mesh.");
+    d.field("centre", &G::centre, "The centre.").range(-1e6, 1e6);
+    d.field("inner_radius", &G::inner_radius, "Where it starts.").range(0.0, 1e6);
+    d.field("outer_radius", &G::outer_radius, "Where it ends.").range(0.0, 1e6);
+    d.field("start", &G::start, "Density at the centre.").range(0.0, 1e6);
+    d.field("end", &G::end, "Density outside.").range(0.0, 1e6);
 }
 
 std::vector<std::string> density_names() {
-    return {"constant", "height", "blobs", "noise", "volume"};
+    return {"constant", "height", "blobs", "noise", "volume", "linear_gradient", "radial_gradient"};
 }
 
-DensityField make_density(const DensityChoice& choice, AssetStore& assets, const Bounds& box,
-                          const glm::mat4& local_to_world) {
-    return std::visit(
-        [&](const auto& density) -> DensityField {
-            if constexpr (std::is_same_v<std::decay_t<decltype(density)>, VolumeDensity>) {
-                if (density.file.empty()) throw Error("a density from a volume needs a file");
-                GridDensity grid{assets.volume(density.file, density.grid), glm::mat4(1.0f), density.scale};
-                grid.to_volume = to_volume(box, grid.volume->volume, density.fit, local_to_world);
-                return grid;
-            } else {
-                return density;
-            }
-        },
-        choice);
+namespace {
+
+/// What a choice becomes; a volume is placed in the box.
+struct MakeDensity {
+    const VolumePlace& place;
+    AssetStore& assets;
+
+    DensityField operator()(const VolumeDensity& volume) const {
+        return placed_volume(volume, volume.grid, assets, place);
+    }
+    DensityField operator()(const LinearGradient& g) const {
+        return GradientDensity{.from = g.from, .to = g.to, .start = g.start, .end = g.end};
+    }
+    DensityField operator()(const RadialGradient& g) const {
+        if (!(g.inner_radius < g.outer_radius))
+            throw Error("a radial gradient's outer_radius must be above its inner_radius");
+        return GradientDensity{.radial = true,
+                               .from = g.centre,
+                               .inner = g.inner_radius,
+                               .outer = g.outer_radius,
+                               .start = g.start,
+                               .end = g.end};
+    }
+    template <class Same>
+    DensityField operator()(const Same& density) const {
+        return density;
+    }
+};
+
+}  // namespace
+
+DensityField make_density(const DensityChoice& choice, AssetStore& assets, const VolumePlace& place) {
+    return std::visit(MakeDensity{place, assets}, choice);
 }
 
 }  // namespace tyndall

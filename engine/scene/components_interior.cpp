@@ -83,13 +83,12 @@ void describe(StructBuilder<InteriorComponent>& d) {
         .range(-1000, 1000);
 }
 
-ScatteringInterior make_interior(const InteriorComponent& from, AssetStore& assets, const Bounds& box,
-                                 const glm::mat4& local_to_world) {
+ScatteringInterior make_interior(const InteriorComponent& from, AssetStore& assets, const VolumePlace& place) {
     ScatteringInterior interior;
     interior.phase = make_phase(from.phase, assets);
     std::visit([&](const auto& optics) { set_optics(optics, interior); }, from.optics);
     interior.emission_cd_m2_per_m = from.emission_cd_m2_per_m;
-    interior.density = make_density(from.density, assets, box, local_to_world);
+    interior.density = make_density(from.density, assets, place);
     interior.eta = from.ior;
     interior.roughness = from.roughness;
     interior.priority = from.priority;

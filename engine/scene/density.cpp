@@ -9,16 +9,23 @@ namespace tyndall {
 namespace {
 
 // Alternatives of DensityField.
-constexpr size_t kHeight = 1, kBlobs = 2, kNoise = 3, kGrid = 4;
+constexpr size_t kHeight = 1, kBlobs = 2, kNoise = 3, kGrid = 4, kGradient = 5, kProduct = 6;
 static_assert(std::is_same_v<std::variant_alternative_t<kHeight, DensityField>, HeightDensity> &&
               std::is_same_v<std::variant_alternative_t<kBlobs, DensityField>, BlobDensity> &&
               std::is_same_v<std::variant_alternative_t<kNoise, DensityField>, NoiseDensity> &&
-              std::is_same_v<std::variant_alternative_t<kGrid, DensityField>, GridDensity>);
+              std::is_same_v<std::variant_alternative_t<kGrid, DensityField>, GridDensity> &&
+              std::is_same_v<std::variant_alternative_t<kGradient, DensityField>, GradientDensity> &&
+              std::is_same_v<std::variant_alternative_t<kProduct, DensityField>, ProductDensity>);
 // Evaluation rounds; a bound is this much above what exact arithmetic gives.
 constexpr float kSlack = 1.0f + 1e-5f;
-// Of physics::gradient_noise, over every choice of gradients: its greatest value, and its steepest slope per cell.
-constexpr float kNoiseLimit = 1.04f;
-constexpr float kNoiseSlope = 3.9f;
+/// The greatest value of a kind of noise, and its steepest slope per cell.
+struct NoiseLimits {
+    float value, slope;
+};
+// Perlin's over every choice of gradients; Worley's from distances that are 0 at best and rise by 1 per cell.
+constexpr NoiseLimits kPerlinLimits{1.04f, 3.9f};
+const float kPuffScale = 0.27018512f / physics::kCellDistanceDeviation;
+const NoiseLimits kWorleyLimits{physics::kCellDistanceMean * kPuffScale, kPuffScale};
 constexpr double kLargestExponent = 80.0;  // e^80 is still a finite float
 
 float finite(float value) {
@@ -38,58 +45,13 @@ glm::vec3 mapped_half(const glm::mat4& map, const Bounds& local) {
 
 }  // namespace
 
-/// Greatest values of ever larger blocks of voxels, each level half the size of the one before: a large box looks at
-/// few of them. Level 0 is the volume itself.
-struct DensityEvaluator::MaximaOfBlocks {
-    std::vector<Volume> levels;
-
-    explicit MaximaOfBlocks(const Volume& volume) {
-        const Volume* finer = &volume;
-        levels.reserve(32);
-        while (std::max({finer->size.x, finer->size.y, finer->size.z}) > 1) {
-            levels.push_back(halved(*finer));
-            finer = &levels.back();
-        }
-    }
-
-    static Volume halved(const Volume& finer) {
-        Volume coarser;
-        coarser.size = (finer.size + 1) / 2;
-        coarser.values.assign(size_t(coarser.size.x) * size_t(coarser.size.y) * size_t(coarser.size.z), 0.0f);
-        size_t index = 0;
-        for (int z = 0; z < finer.size.z; ++z)
-            for (int y = 0; y < finer.size.y; ++y)
-                for (int x = 0; x < finer.size.x; ++x, ++index) {
-                    const size_t row = size_t(z / 2) * size_t(coarser.size.y) + size_t(y / 2);
-                    float& block = coarser.values[row * size_t(coarser.size.x) + size_t(x / 2)];
-                    block = std::max(block, finer.values[index]);
-                }
-        return coarser;
-    }
-
-    /// Greatest voxel between `low` and `high`, both inside the volume.
-    [[nodiscard]] float greatest(const Volume& volume, glm::ivec3 low, glm::ivec3 high) const {
-        constexpr int kMost = 6;  // blocks along an axis
-        size_t level = 0;
-        for (; level < levels.size(); ++level, low /= 2, high /= 2) {
-            const glm::ivec3 count = high - low + 1;
-            if (std::max({count.x, count.y, count.z}) <= kMost) break;
-        }
-        const Volume& blocks = level == 0 ? volume : levels[level - 1];
-        float greatest = 0.0f;
-        for (int z = low.z; z <= high.z; ++z)
-            for (int y = low.y; y <= high.y; ++y)
-                for (int x = low.x; x <= high.x; ++x) greatest = std::max(greatest, blocks.at(x, y, z));
-        return greatest;
-    }
-};
-
 DensityEvaluator::DensityEvaluator(DensityField field, const glm::mat4& local_to_world, double time_s)
     : field_(std::move(field)) {
     if (const auto* height = std::get_if<HeightDensity>(&field_)) prepare_height(*height, local_to_world);
     if (const auto* blobs = std::get_if<BlobDensity>(&field_)) prepare_blobs(*blobs);
     if (const auto* noise = std::get_if<NoiseDensity>(&field_)) prepare_noise(*noise, local_to_world, time_s);
-    if (const auto* grid = std::get_if<GridDensity>(&field_)) prepare_grid(*grid);
+    if (const auto* grid = std::get_if<GridDensity>(&field_)) grid_.emplace(*grid);
+    if (const auto* product = std::get_if<ProductDensity>(&field_)) prepare_product(*product, local_to_world, time_s);
 }
 
 void DensityEvaluator::prepare_height(const HeightDensity& height, const glm::mat4& local_to_world) {
@@ -108,18 +70,13 @@ void DensityEvaluator::prepare_noise(const NoiseDensity& noise, const glm::mat4&
     for (int axis = 0; axis < 3; ++axis)
         map_[axis] = glm::vec4(glm::vec3(local_to_world[axis]) / noise.feature_m, 0.0f);
     map_[3] = glm::vec4(glm::vec3(origin / double(noise.feature_m)), 1.0f);
+    churn_ = float(double(noise.churn_per_s) * time_s);
 }
 
-void DensityEvaluator::prepare_grid(const GridDensity& grid) {
-    if (!grid.volume || grid.volume->volume.values.empty()) return;
-    const Volume& volume = grid.volume->volume;
-    const glm::vec3 size(volume.size);
-    for (int column = 0; column < 4; ++column)
-        map_[column] = glm::vec4(glm::vec3(grid.to_volume[column]) * size, grid.to_volume[column].w);
-    map_[3] -= glm::vec4(0.5f, 0.5f, 0.5f, 0.0f);
-    for (int column = 0; column < 4; ++column)
-        if (!(glm::dot(map_[column], map_[column]) < std::numeric_limits<float>::max())) return;
-    maxima_ = std::make_shared<const MaximaOfBlocks>(volume);
+void DensityEvaluator::prepare_product(const ProductDensity& product, const glm::mat4& local_to_world, double time_s) {
+    factors_.emplace_back(*product.base, local_to_world, time_s);
+    if (product.mask) factors_.emplace_back(*product.mask, local_to_world, time_s);
+    if (product.layer) factors_.emplace_back(*product.layer, local_to_world, time_s);
 }
 
 float DensityEvaluator::at(const glm::vec3& local) const {
@@ -129,13 +86,17 @@ float DensityEvaluator::at(const glm::vec3& local) const {
                 std::exp(std::min(exponent_ + glm::dot(exponent_slope_, glm::dvec3(local)), kLargestExponent)));
         case kBlobs:
             return blobs_at(local);
-        case kNoise: {
-            const auto& noise = *std::get_if<NoiseDensity>(&field_);
-            return finite(
-                physics::noise_density(glm::vec3(map_ * glm::vec4(local, 1.0f)), octaves_of(noise), noise.coverage));
-        }
+        case kNoise:
+            return noise_at(local);
         case kGrid:
-            return grid_at(local);
+            return grid_->at(local);
+        case kGradient:
+            return gradient_at(local);
+        case kProduct: {
+            float product = 1.0f;
+            for (const DensityEvaluator& factor : factors_) product *= factor.at(local);
+            return finite(product);
+        }
         default:
             return 1.0f;
     }
@@ -152,25 +113,18 @@ float DensityEvaluator::blobs_at(const glm::vec3& local) const {
     return finite(sum);
 }
 
-float DensityEvaluator::grid_at(const glm::vec3& local) const {
-    if (!maxima_) return 0.0f;
-    const auto& grid = *std::get_if<GridDensity>(&field_);
-    const Volume& volume = grid.volume->volume;
-    const glm::vec3 place = glm::vec3(map_ * glm::vec4(local, 1.0f));
-    const glm::vec3 end = glm::vec3(volume.size) - 0.5f;
-    // written so that what is not a number is outside
-    if (!(place.x >= -0.5f && place.y >= -0.5f && place.z >= -0.5f && place.x <= end.x && place.y <= end.y &&
-          place.z <= end.z))
-        return 0.0f;
-    const glm::vec3 whole = glm::floor(place);
-    const glm::vec3 part = place - whole;
-    const glm::ivec3 last = volume.size - 1;
-    const glm::ivec3 low = glm::clamp(glm::ivec3(whole), glm::ivec3(0), last);
-    const glm::ivec3 high = glm::clamp(glm::ivec3(whole) + 1, glm::ivec3(0), last);
-    const auto row = [&](int y, int z) { return glm::mix(volume.at(low.x, y, z), volume.at(high.x, y, z), part.x); };
-    const float value = glm::mix(glm::mix(row(low.y, low.z), row(high.y, low.z), part.y),
-                                 glm::mix(row(low.y, high.z), row(high.y, high.z), part.y), part.z);
-    return finite(value * grid.scale);
+float DensityEvaluator::noise_at(const glm::vec3& local) const {
+    const auto& noise = *std::get_if<NoiseDensity>(&field_);
+    glm::vec3 place(map_ * glm::vec4(local, 1.0f));
+    if (noise.swirl != 0.0f) place += noise.swirl * physics::noise_swirl(place, churn_);
+    return finite(physics::filtered_noise_density(place, int(noise.kind), octaves_of(noise), noise.coverage, 0.0f));
+}
+
+float DensityEvaluator::gradient_at(const glm::vec3& local) const {
+    const auto& gradient = *std::get_if<GradientDensity>(&field_);
+    const float at = gradient.radial ? physics::radial_ramp(local, gradient.from, gradient.inner, gradient.outer)
+                                     : physics::linear_ramp(local, gradient.from, gradient.to);
+    return finite(glm::mix(gradient.start, gradient.end, at));
 }
 
 float DensityEvaluator::upper_bound(const Bounds& local) const {
@@ -187,7 +141,14 @@ float DensityEvaluator::upper_bound(const Bounds& local) const {
         case kNoise:
             return noise_bound(local);
         case kGrid:
-            return grid_bound(local);
+            return grid_->upper_bound(local);
+        case kGradient:
+            return gradient_bound(local);
+        case kProduct: {
+            float product = kSlack;
+            for (const DensityEvaluator& factor : factors_) product *= factor.upper_bound(local);
+            return finite(product);
+        }
         default:
             return 1.0f;
     }
@@ -209,39 +170,44 @@ float DensityEvaluator::blobs_bound(const Bounds& local) const {
 
 float DensityEvaluator::noise_bound(const Bounds& local) const {
     const auto& noise = *std::get_if<NoiseDensity>(&field_);
+    if (noise.swirl != 0.0f) return 1.0f;  // what is looked up may come from anywhere near
+    const NoiseLimits limits = noise.kind == NoiseKind::worley ? kWorleyLimits : kPerlinLimits;
     const int octaves = octaves_of(noise);
     const glm::vec3 centre = glm::vec3(map_ * glm::vec4(local.centre(), 1.0f));
     const float radius = glm::length(mapped_half(map_, local)) + 1e-6f * glm::length(centre);
     float sum = 0.0f, variance = 0.0f;
     for (int octave = 0; octave < octaves; ++octave) {
         const float size = std::ldexp(1.0f, -octave);
-        const float rise = kNoiseSlope * radius / size;
+        const float rise = limits.slope * radius / size;
         const glm::vec3 place = physics::fractal_noise_place(centre, octave);
-        const float middle = rise < 2.0f * kNoiseLimit
-                                 ? physics::gradient_noise(place, physics::hash_pcg(uint32_t(octave)))
-                                 : kNoiseLimit;
-        sum += size * std::min(middle + rise, kNoiseLimit);
+        const uint32_t seed = physics::hash_pcg(uint32_t(octave));
+        float middle = limits.value;
+        if (rise < 2.0f * limits.value)
+            middle = noise.kind == NoiseKind::worley ? physics::cellular_noise(place, seed)
+                                                     : physics::gradient_noise(place, seed);
+        sum += size * std::min(middle + rise, limits.value);
         variance += size * size;
     }
     const float most = kSlack * sum / std::sqrt(variance * physics::kGradientNoiseVariance);
-    return std::min(kSlack * physics::noise_to_density(most, noise.coverage) + 1e-6f, 1.0f);
+    return std::min(kSlack * physics::noise_to_density(most, noise.coverage) + 3e-5f / std::max(noise.coverage, 1e-4f),
+                    1.0f);
 }
 
-float DensityEvaluator::grid_bound(const Bounds& local) const {
-    if (!maxima_) return 0.0f;
-    const auto& grid = *std::get_if<GridDensity>(&field_);
-    const Volume& volume = grid.volume->volume;
-    const glm::vec3 centre = glm::vec3(map_ * glm::vec4(local.centre(), 1.0f));
-    const glm::vec3 reach = glm::max(glm::abs(local.low), glm::abs(local.high));
-    const Bounds about{-reach, reach};
-    const glm::vec3 half =
-        mapped_half(map_, local) + 0.01f + 1e-6f * (mapped_half(map_, about) + glm::vec3(volume.size));
-    const glm::vec3 last(volume.size - 1);
-    const glm::vec3 low = centre - half, high = centre + half;
-    if (glm::any(glm::lessThan(high, glm::vec3(-0.5f))) || glm::any(glm::greaterThan(low, last + 0.5f))) return 0.0f;
-    const glm::ivec3 first(glm::clamp(glm::floor(low), glm::vec3(0.0f), last));
-    const glm::ivec3 past(glm::clamp(glm::floor(high) + 1.0f, glm::vec3(0.0f), last));
-    return finite(kSlack * maxima_->greatest(volume, first, past) * grid.scale);
+float DensityEvaluator::gradient_bound(const Bounds& local) const {
+    const auto& gradient = *std::get_if<GradientDensity>(&field_);
+    // a ramp is monotonic along its line and away from its centre: its ends in a box are at the box's ends
+    float low = 1.0f, high = 0.0f;
+    const auto see = [&](const glm::vec3& place) {
+        const float at = gradient.radial ? physics::radial_ramp(place, gradient.from, gradient.inner, gradient.outer)
+                                         : physics::linear_ramp(place, gradient.from, gradient.to);
+        low = std::min(low, at), high = std::max(high, at);
+    };
+    for (int corner = 0; corner < 8; ++corner)
+        see(glm::mix(local.low, local.high, glm::vec3(corner & 1, (corner >> 1) & 1, corner >> 2)));
+    if (gradient.radial) see(glm::clamp(gradient.from, local.low, local.high));
+    const float spread = (kSlack - 1.0f) * (std::abs(gradient.start) + std::abs(gradient.end));
+    return finite(std::max(glm::mix(gradient.start, gradient.end, low), glm::mix(gradient.start, gradient.end, high)) +
+                  spread);
 }
 
 }  // namespace tyndall

@@ -181,9 +181,9 @@ struct PlacedGltf {
 
 /// What is in a surface whose mesh, material and transform are there: what the entity's component says, or its
 /// material.
-std::optional<ScatteringInterior> interior_of(const ExtractContext& context, const Surface& surface) {
+std::optional<ScatteringInterior> interior_of(const ExtractContext& context, const Surface& surface, double time_s) {
     if (const auto* component = context.world.find<InteriorComponent>(context.entity))
-        return make_interior(*component, context.assets, surface.mesh->mesh.bounds, surface.transform);
+        return make_interior(*component, context.assets, {surface.mesh->mesh.bounds, surface.transform, time_s});
     return interior_of_material(*surface.material);
 }
 
@@ -209,7 +209,7 @@ struct ShapeState {
         surface.bounds = surface.mesh->mesh.bounds.transformed(context.transform);
         surface.casts_shadow = from.casts_shadow;
         surface.collides = collides(context.world, context.entity);
-        surface.interior = interior_of(context, surface);
+        surface.interior = interior_of(context, surface, scene.time_s);
         surface.entity = context.entity;
         scene.surfaces.push_back(std::move(surface));
     }
@@ -234,7 +234,7 @@ struct ShapeState {
                 surface.bounds = primitive.mesh->mesh.bounds.transformed(transform);
                 surface.casts_shadow = place.casts_shadow[i];
                 surface.collides = walls;
-                surface.interior = interior_of(context, surface);
+                surface.interior = interior_of(context, surface, scene.time_s);
                 surface.entity = context.entity;
                 scene.surfaces.push_back(std::move(surface));
             }

@@ -33,8 +33,13 @@ void RenderScene::clear() {
 }
 
 glm::mat4 medium_box(const Medium& medium, const RenderScene& scene) {
-    if (medium.shape == MediumShape::box) return medium.transform;
-    const Bounds bounds = scene_bounds(scene);
+    if (medium.shape == MediumShape::box || medium.shape == MediumShape::ellipsoid) return medium.transform;
+    Bounds bounds = scene_bounds(scene);
+    if (medium.shape == MediumShape::layer) {
+        bounds.low.y = medium.layer_low_m;
+        bounds.high.y = medium.layer_high_m;
+        if (!(bounds.low.y < bounds.high.y)) return glm::mat4(0.0f);
+    }
     const glm::vec3 size = glm::max(bounds.high - bounds.low, glm::vec3(1e-3f));
     return glm::scale(glm::translate(glm::mat4(1.0f), 0.5f * (bounds.low + bounds.high)), size);
 }

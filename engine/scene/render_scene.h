@@ -140,18 +140,25 @@ struct Light {
 
 /// `whole_scene` is the bounding box of all surfaces, lights with a place, and the camera: fog without an end would let
 /// no sunlight in.
-enum class MediumShape : uint32_t { whole_scene, box };
+/// `layer` is that box between two heights; `ellipsoid` is the largest in the unit box. What fills a mesh or is made of
+/// particles is a box with a mask (ProductDensity).
+enum class MediumShape : uint32_t { whole_scene, box, ellipsoid, layer };
 
 /// A participating medium in the air: overlapping media add, and there is none of it inside a ScatteringInterior.
 struct Medium {
     MediumShape shape = MediumShape::box;
-    glm::mat4 transform{1.0f};  ///< box: the unit box [-1/2, 1/2]^3 to the world
+    glm::mat4 transform{1.0f};                      ///< box, ellipsoid: the unit box [-1/2, 1/2]^3 to the world
+    float layer_low_m = 0.0f, layer_high_m = 0.0f;  ///< layer: from this height to that
     glm::vec3 sigma_s_per_m{0.0f};
     glm::vec3 sigma_a_per_m{0.0f};
     glm::vec3 emission_cd_m2_per_m{0.0f};  ///< radiance given off per metre
     PhaseFunction phase;
     DensityField density;         ///< multiplies the three coefficients
     std::string solver = "auto";  ///< what the scene asks to render it with in real time, by the module's names
+    /// Adds black-body radiance times sigma_a to the emission (Kirchhoff's law), by the temperature at each place.
+    std::optional<TemperatureField> temperature;
+    /// Multiplies the light that is scattered and not what is lost: 1 is physical, anything else an artist's choice.
+    float scatter_factor = 1.0f;
     Entity entity;
 };
 
@@ -199,7 +206,8 @@ struct RenderScene {
     void clear();
 };
 
-/// Placement of a medium's unit box [-1/2, 1/2]^3 in the world; the whole scene's bounds for MediumShape::whole_scene.
+/// Placement of a medium's unit box [-1/2, 1/2]^3 in the world; made of the whole scene's bounds for
+/// MediumShape::whole_scene and layer. Without a volume where there is nothing of the medium.
 [[nodiscard]] glm::mat4 medium_box(const Medium& medium, const RenderScene& scene);
 
 }  // namespace tyndall

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -70,12 +71,18 @@ struct BlobDensity {
     std::vector<Blob> blobs;
 };
 
-/// Fractal gradient noise of the place in the world, between 0 and 1 (physics/noise.glsl).
+/// Values are those of NOISE_... in physics/noise.glsl.
+enum class NoiseKind : int32_t { perlin, worley };
+
+/// Fractal noise of the place in the world, between 0 and 1 (physics/noise.glsl).
 struct NoiseDensity {
     float feature_m = 1.0f;    ///< size of the largest features
     int octaves = 4;           ///< each half as large and half as strong
     float coverage = 0.5f;     ///< share of space that is not empty, roughly
     glm::vec3 wind_m_s{0.0f};  ///< moves it with the scene's time
+    NoiseKind kind = NoiseKind::perlin;
+    float swirl = 0.0f;        ///< curl noise displaces the places looked up by about so many features
+    float churn_per_s = 0.0f;  ///< features by which the swirls change in a second
 };
 
 /// A grid, trilinear between voxel centres, 0 outside of it.
@@ -85,6 +92,32 @@ struct GridDensity {
     float scale = 1.0f;         ///< multiplies its values
 };
 
-using DensityField = std::variant<ConstantDensity, HeightDensity, BlobDensity, NoiseDensity, GridDensity>;
+/// A ramp in local space: `start` up to one side, `end` from the other on, linear between (physics/ramp.glsl).
+struct GradientDensity {
+    bool radial = false;
+    glm::vec3 from{0.0f, -0.5f, 0.0f};  ///< linear: where it starts; radial: the centre
+    glm::vec3 to{0.0f, 0.5f, 0.0f};     ///< linear: where it ends
+    float inner = 0.0f, outer = 0.5f;   ///< radial: the radii between which it changes
+    float start = 1.0f, end = 0.0f;
+};
+
+/// What limits and shapes another density.
+struct ProductDensity;
+
+using DensityField = std::variant<ConstantDensity, HeightDensity, BlobDensity, NoiseDensity, GridDensity,
+                                  GradientDensity, ProductDensity>;
+
+/// One of the other densities, times a mask (where a mesh or particles are), times a layer's fall with height.
+struct ProductDensity {
+    std::shared_ptr<const DensityField> base;  ///< no product; not null
+    std::optional<GridDensity> mask;
+    std::optional<HeightDensity> layer;
+};
+
+/// A temperature on a grid, in kelvin: what is outside of it is at `base_k`.
+struct TemperatureField {
+    GridDensity grid;     ///< its scale: kelvin per unit of the grid
+    float base_k = 0.0f;  ///< added
+};
 
 }  // namespace tyndall

@@ -10,6 +10,7 @@
 #include "geometry/bounds.h"
 #include "scene/asset_store.h"
 #include "scene/scattering.h"
+#include "scene/volume_sequence.h"
 
 namespace tyndall {
 
@@ -67,11 +68,29 @@ using PhaseChoice = std::variant<IsotropicPhase, HenyeyGreensteinPhase, SchlickP
 
 /// How a volume's box lies in the box that it fills.
 enum class VolumeFit { stretch, contain };
+/// Files of a sequence by number; in use where a file's name has a #.
+struct SequenceChoice {
+    int32_t first = 1, last = 1, step = 1;
+    float frames_per_s = 24.0f;
+    float start_s = 0.0f;
+    Playback playback = Playback::loop;
+};
 struct VolumeDensity {
     std::string file;
     std::string grid;
     float scale = 1.0f;
     VolumeFit fit = VolumeFit::stretch;
+    glm::vec3 low_m{0.0f}, high_m{0.0f};
+    SequenceChoice sequence;
+};
+struct LinearGradient {
+    glm::vec3 from{0.0f, -0.5f, 0.0f}, to{0.0f, 0.5f, 0.0f};
+    float start = 1.0f, end = 0.0f;
+};
+struct RadialGradient {
+    glm::vec3 centre{0.0f};
+    float inner_radius = 0.0f, outer_radius = 0.5f;
+    float start = 1.0f, end = 0.0f;
 };
 
 void describe(StructBuilder<ConstantDensity>& d);
@@ -79,15 +98,27 @@ void describe(StructBuilder<HeightDensity>& d);
 void describe(StructBuilder<BlobDensity::Blob>& d);
 void describe(StructBuilder<BlobDensity>& d);
 void describe(StructBuilder<NoiseDensity>& d);
+void describe(StructBuilder<SequenceChoice>& d);
 void describe(StructBuilder<VolumeDensity>& d);
+void describe(StructBuilder<LinearGradient>& d);
+void describe(StructBuilder<RadialGradient>& d);
 
-using DensityChoice = std::variant<ConstantDensity, HeightDensity, BlobDensity, NoiseDensity, VolumeDensity>;
+using DensityChoice = std::variant<ConstantDensity, HeightDensity, BlobDensity, NoiseDensity, VolumeDensity,
+                                   LinearGradient, RadialGradient>;
 /// The alternatives' names in scene files, in their order.
 [[nodiscard]] std::vector<std::string> density_names();
-/// `box` is what a volume fills, in the local space that `local_to_world` takes to the world. Throws Error when a
-/// volume cannot be loaded.
-[[nodiscard]] DensityField make_density(const DensityChoice& choice, AssetStore& assets, const Bounds& box,
-                                        const glm::mat4& local_to_world);
+/// Where and when a volume is shown.
+struct VolumePlace {
+    Bounds box;  ///< what it fills, in local space
+    glm::mat4 local_to_world;
+    double time_s = 0.0;
+};
+/// Throws Error when a volume cannot be loaded.
+[[nodiscard]] DensityField make_density(const DensityChoice& choice, AssetStore& assets, const VolumePlace& place);
+/// A grid of the volume's file, placed as its density is: grids of a file, and frames of a sequence, keep their places
+/// relative to each other. Its volume is null while a sequence's first frame is still on its way.
+[[nodiscard]] GridDensity placed_volume(const VolumeDensity& from, const std::string& grid, AssetStore& assets,
+                                        const VolumePlace& place);
 
 // Interiors
 // ---------------------------------------------------------------------------------------------------------------
@@ -128,9 +159,9 @@ struct InteriorComponent {
 };
 void describe(StructBuilder<InteriorComponent>& d);
 
-/// The interior of a mesh with these local bounds. Throws Error when a file of it cannot be loaded.
-[[nodiscard]] ScatteringInterior make_interior(const InteriorComponent& from, AssetStore& assets, const Bounds& box,
-                                               const glm::mat4& local_to_world);
+/// The interior of a mesh whose local bounds are the place's box. Throws Error when a file of it cannot be loaded.
+[[nodiscard]] ScatteringInterior make_interior(const InteriorComponent& from, AssetStore& assets,
+                                               const VolumePlace& place);
 /// What a glTF material with full transmission and a thickness says of its inside; none for others.
 [[nodiscard]] std::optional<ScatteringInterior> interior_of_material(const Material& material);
 

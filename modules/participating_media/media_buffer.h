@@ -34,6 +34,10 @@ class MediaBuffer {
  private:
     struct Blocks;
     void add(Blocks& blocks, const Medium& medium, const glm::mat4& box, double time_s);
+    // Into the record of the medium that is being added.
+    void add_density(Blocks& blocks, const DensityField& density, double time_s);
+    void add_blobs(Blocks& blocks, const BlobDensity& field);
+    [[nodiscard]] glm::vec4 grid_size(const GridDensity& grid) const;
     /// Says once for each text what the module leaves out.
     void warn_once(std::string_view what);
 

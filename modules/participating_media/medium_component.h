@@ -1,19 +1,14 @@
 #pragma once
-/// The authoring component `medium`: fog, dust, smoke or water in a box or in the whole scene.
+/// The authoring component `medium`: fog, dust, smoke, water or fire, and where it is.
 
 #include <glm/vec3.hpp>
-#include <variant>
 
+#include "medium_bounds.h"
+#include "medium_optics.h"
 #include "scene/extraction.h"
 #include "scene/scattering_components.h"
 
 namespace tyndall::participating_media {
-
-struct BoxBounds {};
-struct WholeSceneBounds {};
-
-void describe(StructBuilder<BoxBounds>& d);
-void describe(StructBuilder<WholeSceneBounds>& d);
 
 /// What renders a medium: 0 = auto, otherwise a Solver, counted from 1.
 enum class SolverChoice : int32_t { automatic };
@@ -21,10 +16,13 @@ enum class SolverChoice : int32_t { automatic };
 /// A medium; overlapping media add. Single scattering is what this module renders of it.
 struct MediumComponent {
     static constexpr std::string_view kName = "medium";
-    std::variant<BoxBounds, WholeSceneBounds> bounds;
+    BoundsChoice bounds;
+    OpticsChoice optics;
     glm::vec3 scattering_per_m{0.1f};
     glm::vec3 absorption_per_m{0.01f};
     glm::vec3 emission_cd_m2_per_m{0.0f};
+    BlackBody black_body;
+    float scatter_factor = 1.0f;
     PhaseChoice phase;
     DensityChoice density;
     SolverChoice solver = SolverChoice::automatic;

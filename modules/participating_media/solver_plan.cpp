@@ -53,7 +53,8 @@ void SolverPlan::update(const RenderScene& scene, const std::vector<Medium>& med
     for (size_t medium = 0; medium < media.size(); ++medium) {
         if (media[medium].sigma_s_per_m != glm::vec3(0.0f))
             for (size_t light = 0; light < scene.lights.size(); ++light) add({Term::Source::light, light, medium});
-        if (media[medium].emission_cd_m2_per_m != glm::vec3(0.0f)) add({Term::Source::emission, 0, medium});
+        if (media[medium].emission_cd_m2_per_m != glm::vec3(0.0f) || media[medium].temperature)
+            add({Term::Source::emission, 0, medium});
     }
 }
 

@@ -112,6 +112,39 @@ def drawing(t):
             wrong(f"broken probe {name}", scene({"light_probe": {"file": name}}), name)
 
 
+def media(t):
+    """Media that cannot be: what is wrong and where, and no picture without them."""
+    def wrong(name, medium, *expected, **entity):
+        text = scene({"name": "Murk", "medium": medium, **entity}, modules=["participating_media"])
+        file = t.file(name.replace(" ", "_") + ".json", text)
+        t.refused(name, ["capture", file, "--size", "32x18", "--out", t.folder / "out"], *expected)
+
+    wrong("negative scattering", {"scattering_per_m": [-1, 0, 0]}, "/entities/1/medium/scattering_per_m", "0 to")
+    wrong("g of 1", {"phase": {"henyey_greenstein": {"g": 1}}}, "/entities/1/medium/phase/henyey_greenstein/g", "0.99")
+    wrong("no mean free path", {"optics": {"albedo": {"mean_free_path_m": [0, 1, 1]}}}, "mean_free_path_m")
+    wrong("unknown bounds", {"bounds": {"elipsoid": {}}}, "did you mean 'ellipsoid'")
+    wrong("flat medium", {}, "Murk", "scaled by 0", transform={"scale": [1, 0, 1]})
+    t.file("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\nf 2 4 3\n")
+    wrong("open mesh", {"bounds": {"mesh": {"file": "sheet.obj"}}}, "Murk", "sheet.obj", "not closed", "4 open edges")
+    wrong("mesh without a file", {"bounds": {"mesh": {}}}, "Murk", "a file or a primitive")
+    wrong("no particles", {"bounds": {"particles": {}}}, "Murk", "particles")
+    t.file("drops.txt", "0 0 0\n0 x 0\n")
+    t.file("none.txt", "# nothing\n")
+    wrong("broken particles", {"bounds": {"particles": {"file": "drops.txt"}}}, "drops.txt:2", "'x'")
+    wrong("particle file without any", {"bounds": {"particles": {"file": "none.txt"}}}, "none.txt", "no particles")
+    wrong("weightless particles", {"bounds": {"particles": {"particles": [{"weight": 0}]}}}, "Murk", "no particles")
+    wrong("gradient inside out", {"density": {"radial_gradient": {"inner_radius": 0.5, "outer_radius": 0.2}}}, "Murk", "outer_radius")
+    wrong("temperature of nothing", {"black_body": {"grid": "temperature"}}, "Murk", "temperature")
+    for name, values in (("nan", b"\0\0\xc0\x7f"), ("infinite", b"\0\0\x80\x7f")):
+        t.file(f"{name}.raw", values * 8)
+        t.file(f"{name}.json", json.dumps({"raw": f"{name}.raw", "type": "f32", "size": [2, 2, 2]}))
+        wrong(f"{name} density", {"density": {"volume": {"file": f"{name}.json"}}}, f"{name}.json", "not finite")
+    t.file("giant.json", json.dumps({"raw": "nan.raw", "type": "u8", "size": [60000, 60000, 60000]}))
+    wrong("giant volume", {"density": {"volume": {"file": "giant.json"}}}, "giant.json", "60000 x 60000 x 60000")
+    wrong("sequence without files", {"density": {"volume": {"file": "s_##.json"}}}, "s_01.json")
+    wrong("sequence backwards", {"density": {"volume": {"file": "s_##.json", "sequence": {"first": 3, "last": 2}}}}, "last", "first")
+
+
 def colour_configurations(t):
     for i, config in enumerate((CONFIG[:200], CONFIG[: len(CONFIG) // 2], CONFIG.replace(b"scene_linear:", b"scene_linnear:"), b"", b"ocio_profile_version: 99\n",
                                 CONFIG.replace(b"!<ColorSpace>", b"!<ColourSpice>"), bytes(range(256)))):
@@ -140,5 +173,6 @@ with Tests() as t:
     command_line(t)
     scene_files(t)
     drawing(t)
+    media(t)
     colour_configurations(t)
     capture_files(t)

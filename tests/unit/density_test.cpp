@@ -163,6 +163,54 @@ TEST(Density, AGridFarFromTheOriginKeepsItsBounds) {
     }
 }
 
+TEST(Density, PuffsAndSwirlsStayBelowTheirBounds) {
+    NoiseDensity noise;
+    noise.feature_m = 2.0f;
+    noise.kind = NoiseKind::worley;
+    EXPECT_GT(check_bounds(DensityEvaluator(noise, placement(), 0.0), 0.3f), 0.3);
+    noise.swirl = 1.0f;
+    noise.churn_per_s = 0.5f;
+    const DensityEvaluator swirled(noise, placement(), 2.0);
+    check_bounds(swirled, 0.3f);
+    noise.swirl = 0.0f;
+    EXPECT_NE(swirled.at({0.1f, 0.2f, 0.3f}), DensityEvaluator(noise, placement(), 2.0).at({0.1f, 0.2f, 0.3f}));
+}
+
+TEST(Density, GradientsAreRampsInTheBox) {
+    const DensityEvaluator linear(GradientDensity{.start = 2.0f, .end = 0.5f}, placement(), 0.0);
+    EXPECT_FLOAT_EQ(linear.at({0.3f, -0.5f, 0.1f}), 2.0f);
+    EXPECT_FLOAT_EQ(linear.at({0.3f, 0.0f, 0.1f}), 1.25f);
+    EXPECT_FLOAT_EQ(linear.at({0.3f, 0.9f, 0.1f}), 0.5f);
+    EXPECT_GT(check_bounds(linear, 0.3f), 0.9);
+    const GradientDensity ball{.radial = true, .from = {0.1f, 0.0f, 0.0f}, .inner = 0.1f, .outer = 0.4f};
+    const DensityEvaluator radial(ball, placement(), 0.0);
+    EXPECT_FLOAT_EQ(radial.at({0.1f, 0.0f, 0.05f}), 1.0f);
+    EXPECT_FLOAT_EQ(radial.at({0.1f, 0.25f, 0.0f}), 0.5f);
+    EXPECT_EQ(radial.at({-0.4f, 0.3f, 0.0f}), 0.0f);
+    EXPECT_GT(check_bounds(radial, 0.3f), 0.5);
+    GradientDensity hollow = ball;
+    std::swap(hollow.start, hollow.end);
+    check_bounds(DensityEvaluator(hollow, placement(), 0.0), 0.3f);
+}
+
+TEST(Density, AProductIsItsFactorsAndBoundedByThem) {
+    NoiseDensity noise;
+    noise.feature_m = 1.5f;
+    const DensityField mask = grid_field({9, 8, 7}, 1.0f);
+    const ProductDensity product{std::make_shared<const DensityField>(noise), std::get<GridDensity>(mask),
+                                 HeightDensity{18.0f, 2.5f}};
+    const DensityEvaluator density(product, placement(), 1.0);
+    const DensityEvaluator factors[] = {
+        {noise, placement(), 1.0}, {mask, placement(), 1.0}, {HeightDensity{18.0f, 2.5f}, placement(), 1.0}};
+    Random random(12);
+    for (int i = 0; i < 500; ++i) {
+        const glm::vec3 p = random.inside(kUnitBox);
+        EXPECT_FLOAT_EQ(density.at(p), factors[0].at(p) * factors[1].at(p) * factors[2].at(p));
+    }
+    check_bounds(density, 0.5f);
+    EXPECT_FALSE(density.constant());
+}
+
 TEST(Density, WithoutAVolumeThereIsNothing) {
     const DensityEvaluator density(GridDensity{}, placement(), 0.0);
     EXPECT_EQ(density.at(glm::vec3(0.0f)), 0.0f);

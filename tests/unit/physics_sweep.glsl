@@ -1,6 +1,6 @@
 /// One number from each corner of engine/physics, for arguments made of `x` in [0, 1)^4: the same text runs on the GPU
 /// and in C++, and must give the same.
-const int kSweeps = 21;
+const int kSweeps = 24;
 
 FN float sweep(int which, vec4 x) {
     vec3 n = sample_uniform_sphere(vec2(x.x, x.y));
@@ -37,6 +37,9 @@ FN float sweep(int which, vec4 x) {
         case 18: return hammersley(uint(x.x * 4096.0f), 4096u).y + r2_sequence(uint(x.y * 65536.0f)).x;
         case 19: return exposure_from_ev100(20.0f * x.x) * point_irradiance(x.y, x.z) * range_window(x.w, 0.8f);
         case 20: return noise_density(60.0f * vec3(x.x, x.y, x.z) - 30.0f, 3, 0.2f + 0.8f * x.w);
+        case 21: return filtered_noise_density(40.0f * vec3(x.x, x.y, x.z) - 20.0f, NOISE_WORLEY, 3, 0.3f + 0.7f * x.w, x.x);
+        case 22: return noise_swirl(30.0f * vec3(x.x, x.y, x.z) - 15.0f, x.w).y;
+        case 23: return log(1.0f + black_body_radiance(1000.0f + 6000.0f * x.x).y) + radial_ramp(v, n, 0.2f, 1.0f);
         default: return 0.0f;
     }
 }

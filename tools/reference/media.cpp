@@ -23,8 +23,8 @@ float largest(const vec3& v) {
 
 MediumVolume::MediumVolume(vec3 scattering, vec3 absorption, vec3 glow, const PhaseFunction& function,
                            const DensityField& field, const glm::mat4& local_to_world, const Bounds& local,
-                           double time_s)
-    : sigma_s(scattering),
+                           double time_s, const AirOptions& options)
+    : sigma_s(scattering * options.scatter_factor),
       sigma_a(absorption),
       sigma_t(scattering + absorption),
       emission(glow),
@@ -32,7 +32,12 @@ MediumVolume::MediumVolume(vec3 scattering, vec3 absorption, vec3 glow, const Ph
       density_(field, local_to_world, time_s),
       to_local_(glm::inverse(local_to_world)),
       local_(local),
-      emits_(largest(glow) > 0.0f) {
+      emits_(largest(glow) > 0.0f || options.temperature),
+      ellipsoid_(options.ellipsoid) {
+    if (options.temperature) {
+        temperature_.emplace(options.temperature->grid);
+        base_k_ = options.temperature->base_k;
+    }
     if (density_.constant()) return;
     cells_.resize(static_cast<size_t>(kCells) * kCells * kCells);
     const vec3 step = local.size() / static_cast<float>(kCells);
@@ -53,9 +58,17 @@ MediumVolume::MediumVolume(vec3 scattering, vec3 absorption, vec3 glow, const Ph
     });
 }
 
+vec3 MediumVolume::emission_at(const vec3& world, float density) const {
+    if (!temperature_) return emission * density;
+    const float kelvin = base_k_ + temperature_->at(vec3(to_local_ * glm::vec4(world, 1.0f)));
+    return density * (emission + sigma_a * physics::black_body_radiance(kelvin));
+}
+
 bool MediumVolume::clip(const Ray& ray, float& t0, float& t1) const {
-    return physics::clip_to_box(vec3(to_local_ * glm::vec4(ray.origin, 1.0f)), glm::mat3(to_local_) * ray.direction,
-                                local_.low, local_.high, t0, t1);
+    const vec3 origin(to_local_ * glm::vec4(ray.origin, 1.0f));
+    const vec3 direction = glm::mat3(to_local_) * ray.direction;
+    if (!physics::clip_to_box(origin, direction, local_.low, local_.high, t0, t1)) return false;
+    return !ellipsoid_ || physics::clip_to_unit_ball(origin, direction, t0, t1);
 }
 
 vec3 MediumPoint::scattering(float u) const {
@@ -230,7 +243,7 @@ MediumPoint MediaRay::at(float t) const {
         point.parts[point.count++] = {span.medium, density};
         point.sigma_s += span.medium->sigma_s * density;
         point.sigma_t += span.medium->sigma_t * density;
-        point.emission += span.medium->emission * density;
+        if (span.medium->emits()) point.emission += span.medium->emission_at(place, density);
     }
     return point;
 }

@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "reference/geometry.h"
@@ -14,21 +15,32 @@
 
 namespace tyndall::reference {
 
+/// What only media of the air have.
+struct AirOptions {
+    bool ellipsoid = false;  ///< it fills the largest ellipsoid of the box only
+    std::optional<TemperatureField> temperature;
+    float scatter_factor = 1.0f;  ///< multiplies what is scattered and not what is lost
+};
+
 /// One medium in a box of its local space: of the air, or inside a mesh.
 class MediumVolume {
  public:
     /// `local` holds every place where it may be. Coefficients are 1/m.
     MediumVolume(glm::vec3 sigma_s, glm::vec3 sigma_a, glm::vec3 emission, const PhaseFunction& phase,
-                 const DensityField& density, const glm::mat4& local_to_world, const Bounds& local, double time_s);
+                 const DensityField& density, const glm::mat4& local_to_world, const Bounds& local, double time_s,
+                 const AirOptions& options = {});
 
-    glm::vec3 sigma_s, sigma_a, sigma_t, emission;
+    glm::vec3 sigma_s;  ///< of the light that is scattered: times the scatter factor
+    glm::vec3 sigma_a, sigma_t, emission;
     Phase phase;
     [[nodiscard]] bool homogeneous() const { return density_.constant(); }
     [[nodiscard]] bool emits() const { return emits_; }
     [[nodiscard]] float density(const glm::vec3& world) const {
         return density_.constant() ? 1.0f : density_.at(glm::vec3(to_local_ * glm::vec4(world, 1.0f)));
     }
-    /// The part of a ray inside the box.
+    /// Radiance given off per metre where the density is `density`.
+    [[nodiscard]] glm::vec3 emission_at(const glm::vec3& world, float density) const;
+    /// The part of a ray inside the box, or the ellipsoid.
     [[nodiscard]] bool clip(const Ray& ray, float& t0, float& t1) const;
 
  private:
@@ -42,12 +54,15 @@ class MediumVolume {
     glm::mat4 to_local_;
     Bounds local_;
     bool emits_ = false;
+    bool ellipsoid_ = false;
+    std::optional<GridEvaluator> temperature_;
+    float base_k_ = 0.0f;
     std::vector<Cell> cells_;
 };
 
 /// What scatters at a place: the sums over overlapping media.
 struct MediumPoint {
-    static constexpr size_t kMost = 8;
+    static constexpr size_t kMost = 16;
     glm::vec3 sigma_s{0.0f}, sigma_t{0.0f}, emission{0.0f};
     struct Part {
         const MediumVolume* medium = nullptr;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/error.h"
+#include "core/log.h"
 
 namespace tyndall::reference {
 namespace {
@@ -66,10 +67,13 @@ TracedWorld::TracedWorld(const RenderScene& scene)
     for (const Medium& medium : scene.media) {
         const glm::mat4 box = medium_box(medium, scene);
         if (glm::determinant(glm::mat3(box)) == 0.0f) continue;
+        const AirOptions options{medium.shape == MediumShape::ellipsoid, medium.temperature, medium.scatter_factor};
         air_.push_back(std::make_unique<MediumVolume>(medium.sigma_s_per_m, medium.sigma_a_per_m,
                                                       medium.emission_cd_m2_per_m, medium.phase, medium.density, box,
-                                                      unit, scene.time_s));
+                                                      unit, scene.time_s, options));
     }
+    if (std::ranges::any_of(scene.media, [](const Medium& medium) { return medium.scatter_factor != 1.0f; }))
+        log::warning("a medium has a scatter_factor: what is traced is not physical, as the scene wants it");
     interiors_.resize(surfaces_.size());
     for (size_t i = 0; i < surfaces_.size(); ++i) {
         passing_ = passing_ || masks_[i] == RayMask::passing;

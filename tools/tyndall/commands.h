@@ -25,6 +25,7 @@ void add_measure(CLI::App& app, Command& command);
 void add_schema(CLI::App& app, Command& command);
 void add_validate(CLI::App& app, Command& command);
 void add_modules(CLI::App& app, Command& command);
+void add_mie(CLI::App& app, Command& command);
 void add_farm(CLI::App& app, Command& command);
 void add_info(CLI::App& app, Command& command);
 

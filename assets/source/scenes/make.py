@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the small pictures, light probes, the glTF sample and the volume of assets/scenes/. Needs nothing but Python; the results are committed.
+"""Makes the small pictures, light probes, the glTF sample and the volumes of assets/scenes/. Needs nothing but Python; the results are committed.
 
 usage: assets/source/scenes/make.py
 """
@@ -192,13 +192,46 @@ def plume(x, y, z):
     return min(1.0, max(0.0, 2.2 * core + 1.6 * (noise - 0.62) * min(1, 3 * core)))
 
 
-def write_plume(name, nx, ny, nz):
-    """A raw volume of bytes and its description."""
-    values = bytes(int(255 * plume((i + 0.5) / nx * 0.5 - 0.25, (j + 0.5) / ny, (k + 0.5) / nz * 0.5 - 0.25) + 0.5)
+def write_volume(name, about, size, value, width):
+    """A raw volume of bytes and its description. value(x, y, z) in 0..1; y from 0 to 1, x and z within half a width of 0."""
+    nx, ny, nz = size
+    values = bytes(int(255 * value(((i + 0.5) / nx - 0.5) * width, (j + 0.5) / ny, ((k + 0.5) / nz - 0.5) * width) + 0.5)
                    for k in range(nz) for j in range(ny) for i in range(nx))
     (OUT / "volumes" / f"{name}.raw").write_bytes(values)
-    description = {"about": "A plume of smoke.", "raw": f"{name}.raw", "type": "u8", "size": [nx, ny, nz], "voxel_m": [1 / ny] * 3}
+    description = {"about": about, "raw": f"{name}.raw", "type": "u8", "size": [nx, ny, nz], "voxel_m": [1 / ny] * 3}
     (OUT / "volumes" / f"{name}.json").write_text(json.dumps(description) + "\n")
+
+
+def puff(x, y, z, age):
+    """A ring of smoke that rises and widens as it ages from 0 to 1: density in [0, 1]."""
+    ring, tube, height = 0.12 + 0.2 * age, 0.06 + 0.05 * age, 0.2 + 0.5 * age
+    return (0.9 - 0.5 * age) * math.exp(-((math.hypot(x, z) - ring) ** 2 + (y - height) ** 2) / (tube * tube))
+
+
+def flame(x, y, z):
+    """A flame on y = 0, wide below and pointed above: how much soot there is, in [0, 1]."""
+    lick = 0.05 * math.sin(9 * y + 1) * y, 0.05 * math.sin(8 * y + 4) * y
+    width = 0.17 * (1 - y) ** 0.8 * min(1, 0.4 + 3 * y) + 0.01
+    noise = sum(lattice_noise(*(7 * 2**o * t for t in (x, 0.5 * y, z))) / 2**o for o in range(3)) / 1.75
+    distance = math.hypot(x - lick[0], z - lick[1]) / width
+    return min(1.0, max(0.0, 1.3 * math.exp(-distance * distance) * (0.55 + 0.9 * noise) * min(1, 10 * y) - 0.12))
+
+
+def flame_heat(x, y, z):
+    """Its temperature: hottest where the soot is densest and low."""
+    return min(1.0, (0.55 + 0.45 * flame(x, y, z)) * (1 - 0.35 * y))
+
+
+def write_spray(name, count):
+    """Drops of a jet that falls apart, as lines of x y z radius weight."""
+    lines = ["# A jet of drops: x y z radius weight"]
+    for i in range(count):
+        t = i / count
+        spread = 0.04 + 0.3 * t
+        angle, away, size = 6.2832 * noise(i, 1), spread * math.sqrt(noise(i, 2)), noise(i, 3)
+        place = away * math.cos(angle), 1.1 * t - 0.35 * t * t + 0.1 * (noise(i, 4) - 0.5) * t, away * math.sin(angle)
+        lines.append(" ".join(f"{v:.4f}" for v in (*place, 0.03 + 0.05 * size * (0.5 + t), 1 - 0.7 * t)))
+    (OUT / "volumes" / name).write_text("\n".join(lines) + "\n")
 
 
 (OUT / "textures").mkdir(exist_ok=True)
@@ -211,4 +244,9 @@ write_png("tilted_normal.png", 16, 16, tilted_normal)
 write_hdr("uniform.hdr", 16, 8, lambda u, v: (1.0, 1.0, 1.0))
 write_hdr("evening.hdr", 128, 64, evening)
 write_gltf()
-write_plume("plume", 48, 96, 48)
+write_volume("plume", "A plume of smoke.", (48, 96, 48), plume, 0.5)
+for age in range(4):
+    write_volume(f"puff_{age + 1:02d}", "A ring of smoke that rises.", (24, 24, 24), lambda x, y, z: puff(x, y, z, age / 3), 1.0)
+write_volume("flame", "Soot of a flame.", (24, 48, 24), flame, 0.5)
+write_volume("flame_heat", "Temperature of a flame.", (24, 48, 24), flame_heat, 0.5)
+write_spray("spray.txt", 400)

@@ -33,11 +33,13 @@ vec3 phase(float u) {
 float phase(float u) { return phase_evaluate(PHASE_KIND, media[medium].phase_parameters, u); }
 #endif
 
-// Radiance per metre that the light sends from the ray's point t to the eye, before the way there.
-vec3 source(Ray ray, float t) {
+// Radiance per metre that the light sends from the ray's point t to the eye, before the way there; for points `spacing`
+// metres apart (medium_density).
+vec3 source(Ray ray, float t, float spacing) {
     vec3 p = ray.origin + t * ray.direction;
     vec3 to_light;
     vec3 irradiance = light_irradiance(light_index, p, to_light);
     return irradiance * phase(dot(-to_light, -ray.direction)) * light_transmittance(light_index, p, vec3(0.0)) *
-           medium_density(medium, p);
+           medium_density(medium, p, spacing);
 }
+vec3 source(Ray ray, float t) { return source(ray, t, 0.0); }

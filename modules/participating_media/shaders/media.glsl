@@ -3,14 +3,16 @@
 // What only some media have stands in loops that others go through zero times: software renderers execute both sides of a
 // branch. A program that knows that there is one medium defines ONE_MEDIUM, and EVEN_MEDIA that no density varies: what
 // lies in a uniform block at a known place is much faster to read there.
+#include "physics/black_body.glsl"
 #include "physics/intersect.glsl"
 #include "physics/noise.glsl"
 #include "physics/phase.glsl"
+#include "physics/ramp.glsl"
 #include "physics/transmittance.glsl"
 
 struct GpuMedium {
     mat4 box_from_world;    // to the box [-1/2, 1/2]^3
-    vec4 sigma_s_phase;     // rgb 1/m, w PHASE_...
+    vec4 sigma_s_phase;     // rgb 1/m of what is scattered, times the artist's factor; w PHASE_...
     vec4 sigma_t;           // rgb 1/m
     vec4 phase_parameters;
     vec4 emission_even;     // rgb cd/m2 per metre, w 1 when the density is 1 everywhere
@@ -18,6 +20,17 @@ struct GpuMedium {
     vec4 sampled;           // x octaves of noise or 0, y its coverage, z grid: scale or 0, w its first layer in the atlas
     vec4 grid_size;         // xyz voxels
     mat4 field_from_world;  // to features of the noise, or to [0, 1]^3 over the grid
+    vec4 noise;             // x NOISE_..., y swirl, z churn by now, w 1 / feature size in metres
+    vec4 ramp_from;         // gradient in the box: xyz from or centre, w 0 none, 1 linear, 2 radial
+    vec4 ramp_to;           // xyz to, or x inner and y outer radius; w unused
+    vec4 ramp_ends;         // x density at the start, y at the end
+    vec4 shape;             // x 1 for an ellipsoid, y 1 when mask or layer multiply the rest, z layer: base, w 1 / scale height, or 0
+    vec4 mask_size;         // xyz voxels, 0 = no mask; w first layer in the atlas
+    mat4 mask_from_world;   // to [0, 1]^3 over the mask
+    vec4 temperature_size;  // xyz voxels, 0 = no grid; w first layer in the atlas
+    vec4 temperature;       // x kelvin per unit, y kelvin added; zw unused
+    vec4 sigma_a;           // rgb 1/m
+    mat4 temperature_from_world;
 };
 
 layout(std140) uniform Media { GpuMedium media[16]; };
@@ -32,6 +45,8 @@ uniform int media_count;
 #endif
 uniform int media_light_steps;  // samples on the way through noise and grids
 uniform sampler3D media_grids;  // voxels of all grids, stacked along z
+// Where in their steps samples along a line are taken: solvers that average over pixels set it to noise.
+float media_sample_offset = 0.5;
 
 vec3 medium_place(int i, vec3 p) { return (media[i].box_from_world * vec4(p, 1.0)).xyz; }
 
@@ -45,28 +60,44 @@ bool clip_to_medium(int i, vec3 origin, vec3 direction, inout float t0, inout fl
     vec3 near = min(a, b), far = max(a, b);
     t0 = max(t0, max(near.x, max(near.y, near.z)));
     t1 = min(t1, min(far.x, min(far.y, far.z)));
-    return t0 < t1;
+    bool inside = t0 < t1;
+    for (int k = 0; k < int(media[i].shape.x); ++k) inside = clip_to_unit_ball(o, d, t0, t1) && inside;
+    return inside;
+}
+
+// A grid's value at a place in [0, 1]^3 over it; 0 outside. `size` as in mask_size.
+float grid_value(vec3 place, vec4 size) {
+    bool inside = all(greaterThanEqual(place, vec3(0.0))) && all(lessThanEqual(place, vec3(1.0)));
+    vec3 texel = clamp(place * size.xyz, vec3(0.5), size.xyz - 0.5) + vec3(0.0, 0.0, size.w);
+    return inside ? textureLod(media_grids, texel / vec3(textureSize(media_grids, 0)), 0.0).r : 0.0;
 }
 
 #ifndef EVEN_MEDIA
-// Noise and grids: what has no closed form along a line.
-float sampled_density(int i, vec3 p) {
+// Noise, grids and gradients: what has no closed form along a line. What of noise is finer than samples `spacing` metres
+// apart fades into its mean.
+float sampled_density(int i, vec3 p, float spacing) {
     vec3 place = (media[i].field_from_world * vec4(p, 1.0)).xyz;
     float density = 0.0;
-    for (int k = 0; k < int(min(media[i].sampled.x, 1.0)); ++k)
-        density += noise_density(place, int(media[i].sampled.x), media[i].sampled.y);
-    for (int k = 0; k < int(min(media[i].grid_size.x, 1.0)); ++k) {
-        vec3 size = media[i].grid_size.xyz;
-        bool inside = all(greaterThanEqual(place, vec3(0.0))) && all(lessThanEqual(place, vec3(1.0)));
-        vec3 texel = clamp(place * size, vec3(0.5), size - 0.5) + vec3(0.0, 0.0, media[i].sampled.w);
-        density += inside ? media[i].sampled.z * textureLod(media_grids, texel / vec3(textureSize(media_grids, 0)), 0.0).r : 0.0;
+    for (int k = 0; k < int(min(media[i].sampled.x, 1.0)); ++k) {
+        for (int swirls = 0; swirls < (media[i].noise.y > 0.0 ? 1 : 0); ++swirls)
+            place += media[i].noise.y * noise_swirl(place, media[i].noise.z);
+        density += filtered_noise_density(place, int(media[i].noise.x), int(media[i].sampled.x), media[i].sampled.y,
+                                          spacing * media[i].noise.w);
+    }
+    for (int k = 0; k < int(min(media[i].grid_size.x, 1.0)); ++k)
+        density += media[i].sampled.z * grid_value(place, vec4(media[i].grid_size.xyz, media[i].sampled.w));
+    for (int k = 0; k < int(min(media[i].ramp_from.w, 1.0)); ++k) {
+        vec3 local = medium_place(i, p);
+        float at = media[i].ramp_from.w > 1.5 ? radial_ramp(local, media[i].ramp_from.xyz, media[i].ramp_to.x, media[i].ramp_to.y)
+                                              : linear_ramp(local, media[i].ramp_from.xyz, media[i].ramp_to.xyz);
+        density += mix(media[i].ramp_ends.x, media[i].ramp_ends.y, at);
     }
     return density;
 }
 
-// Density of medium i at a place inside its box.
-float medium_density(int i, vec3 p) {
-    float density = media[i].emission_even.w + sampled_density(i, p);
+// Constant, blobs and height: what has a closed form along a line.
+float closed_density(int i, vec3 p) {
+    float density = media[i].emission_even.w;
     vec3 local = medium_place(i, p);
     for (int b = int(media[i].blobs_height.x); b < int(media[i].blobs_height.y); ++b) {
         vec3 away = local - blob_centre_radius[b].xyz;
@@ -78,25 +109,61 @@ float medium_density(int i, vec3 p) {
     return density;
 }
 
+// What the medium's mask and layer leave of its density.
+float density_share(int i, vec3 p) {
+    float share = 1.0;
+    for (int k = 0; k < int(min(media[i].mask_size.x, 1.0)); ++k)
+        share *= grid_value((media[i].mask_from_world * vec4(p, 1.0)).xyz, media[i].mask_size);
+    for (int k = 0; k < (media[i].shape.w > 0.0 ? 1 : 0); ++k)
+        share *= exp((media[i].shape.z - p.y) * media[i].shape.w);
+    return share;
+}
+
+// Density of medium i at a place inside its box, for samples `spacing` metres apart; 0 for the density itself.
+float medium_density(int i, vec3 p, float spacing) {
+    float density = closed_density(i, p) + sampled_density(i, p, spacing);
+    for (int k = 0; k < int(media[i].shape.y); ++k) density *= density_share(i, p);
+    return density;
+}
+
 // Integral of the density along [t0, t1] inside medium i's box, metres; what has no closed form is taken `samples` times.
 float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) {
     float ds = t1 - t0;
-    float column = media[i].emission_even.w * ds;
-    for (int b = int(media[i].blobs_height.x); b < int(media[i].blobs_height.y); ++b)
+    bool shared_out = media[i].shape.y > 0.0;  // mask and layer multiply: nothing has a closed form
+    float column = shared_out ? 0.0 : media[i].emission_even.w * ds;
+    int end_of_blobs = shared_out ? 0 : int(media[i].blobs_height.y);
+    for (int b = int(media[i].blobs_height.x); b < end_of_blobs; ++b)
         column += blob_weight[b].x * gaussian_line_integral(medium_place(i, origin), mat3(media[i].box_from_world) * direction,
                                                             blob_centre_radius[b].xyz, blob_centre_radius[b].w, t0, t1);
-    for (int k = 0; k < (media[i].blobs_height.w > 0.0 ? 1 : 0); ++k)
+    for (int k = 0; k < (media[i].blobs_height.w > 0.0 && !shared_out ? 1 : 0); ++k)
         column += height_fog_optical_depth(1.0, media[i].blobs_height.z, 1.0 / media[i].blobs_height.w, origin.y + t0 * direction.y,
                                            origin.y + t1 * direction.y, ds);
-    int count = media[i].sampled.x + media[i].grid_size.x > 0.0 ? samples : 0;
-    for (int s = 0; s < count; ++s)
-        column += sampled_density(i, origin + direction * (t0 + (float(s) + 0.5) / float(samples) * ds)) * ds / float(samples);
+    int count = shared_out || media[i].sampled.x + media[i].grid_size.x + media[i].ramp_from.w > 0.0 ? samples : 0;
+    float step_m = ds / float(samples);
+    for (int s = 0; s < count; ++s) {
+        vec3 p = origin + direction * (t0 + (float(s) + media_sample_offset) * step_m);
+        float density = sampled_density(i, p, step_m);
+        for (int k = 0; k < int(media[i].shape.y); ++k) density = (density + closed_density(i, p)) * density_share(i, p);
+        column += density * step_m;
+    }
     return column;
 }
 #else
-float medium_density(int i, vec3 p) { return 1.0; }
+float medium_density(int i, vec3 p, float spacing) { return 1.0; }
 float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) { return t1 - t0; }
 #endif
+float medium_density(int i, vec3 p) { return medium_density(i, p, 0.0); }
+
+// Radiance that medium i gives off per metre where its density is 1.
+vec3 medium_emission(int i, vec3 p) {
+    vec3 emission = media[i].emission_even.rgb;
+    for (int k = 0; k < int(min(media[i].temperature_size.x, 1.0)); ++k) {
+        float kelvin = media[i].temperature.y + media[i].temperature.x * grid_value((media[i].temperature_from_world * vec4(p, 1.0)).xyz,
+                                                                                     media[i].temperature_size);
+        emission += media[i].sigma_a.rgb * black_body_radiance(kelvin);
+    }
+    return emission;
+}
 
 // Optical depth of all media between two distances on the ray.
 vec3 media_optical_depth(vec3 origin, vec3 direction, float t_begin, float t_end, int samples) {

@@ -20,16 +20,19 @@ void main() {
     vec3 direction = eye_ray(uv);
     float t0 = 0.0, t1 = depth > 0.0 ? eye_distance(uv, depth) : farthest;
     float offset = fixed_offset >= 0.0 ? fixed_offset : texelFetch(blue_noise, ivec2(gl_FragCoord.xy) & 63, 0).r;
+    media_sample_offset = fixed_offset >= 0.0 ? 0.5 : fract(offset + 0.61803399);  // not the steps' own offset
     glow = vec4(0.0);
     if (!clip_to_medium(medium, origin, direction, t0, t1)) return;
     float ds = (t1 - t0) / float(steps);
-    vec3 before = media_transmittance(origin, direction, 0.0, t0);
+    vec3 to_eye = media_transmittance(origin, direction, 0.0, t0);
+    float reached = t0;
     vec3 sum = vec3(0.0);
     for (int i = 0; i < steps; ++i) {
-        float begin = t0 + float(i) * ds;
-        vec3 step_depth = media_optical_depth(origin, direction, begin, begin + ds, 1);
-        sum += medium_density(medium, origin + direction * (begin + offset * ds)) * before * mean_transmittance(step_depth) * ds;
-        before *= exp(-step_depth);
+        float t = t0 + (float(i) + offset) * ds;
+        vec3 p = origin + direction * t;
+        to_eye *= exp(-media_optical_depth(origin, direction, reached, t, 1));
+        reached = t;
+        sum += medium_density(medium, p, ds) * medium_emission(medium, p) * to_eye * ds;
     }
-    glow.rgb = media[medium].emission_even.rgb * sum;
+    glow.rgb = sum;
 }

@@ -25,7 +25,7 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
     vec3 weight = mean_transmittance(step_depth) * ds;  // and the transmittance up to the step
     vec3 factor = exp(-step_depth);
     for (int i = 0; i < steps; ++i) {
-        sum += source(ray, t0 + (float(i) + offset) * ds) * weight;
+        sum += source(ray, t0 + (float(i) + offset) * ds, ds) * weight;
         weight *= factor;
     }
 #else
@@ -37,7 +37,7 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
         float t = t0 + (float(i) + offset) * ds;
         to_eye *= exp(-media_optical_depth(ray.origin, ray.direction, reached, t, 1));
         reached = t;
-        sum += source(ray, t) * to_eye * ds;
+        sum += source(ray, t, ds) * to_eye * ds;
     }
 #endif
     return sum;
@@ -69,7 +69,7 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
         to_eye *= exp(-media_optical_depth(ray.origin, ray.direction, reached, t, 1));
         reached = t;
 #endif
-        sum += source(ray, t) * to_eye * metres;
+        sum += source(ray, t, abs(metres)) * to_eye * metres;
         at = vec2(at.x * turn.x - at.y * turn.y, at.y * turn.x + at.x * turn.y);
     }
     return sum;
@@ -83,6 +83,7 @@ void main() {
     Ray ray = Ray(frame.eye_near.xyz, eye_ray(uv));
     float end = depth > 0.0 ? eye_distance(uv, depth) : farthest;
     float offset = fixed_offset >= 0.0 ? fixed_offset : texelFetch(blue_noise, ivec2(gl_FragCoord.xy) & 63, 0).r;
+    media_sample_offset = fixed_offset >= 0.0 ? 0.5 : fract(offset + 0.61803399);  // not the steps' own offset
 
     in_scatter = vec4(0.0, 0.0, 0.0, end);
     float t0 = 0.0, t1 = end;
