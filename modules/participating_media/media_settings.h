@@ -7,6 +7,30 @@ namespace tyndall::participating_media {
 
 enum class Resolution { full, half };
 
+/// Polygonal light volumes.
+struct LightVolumesSettings {
+    int32_t texels_per_quad = 4;
+    bool adaptive = true;
+    float tolerance_m = 0.01f;
+    int32_t terms = 8;
+};
+
+inline void describe(StructBuilder<LightVolumesSettings>& d) {
+    d.doc("Polygonal light volumes: the border of the light as a mesh made from the shadow map.");
+    d.field("texels_per_quad", &LightVolumesSettings::texels_per_quad,
+            "Shadow-map texels along a side of the mesh's finest quads.")
+        .range(1, 64);
+    d.field("adaptive", &LightVolumesSettings::adaptive,
+            "Fewer triangles where the shadow map is flat; off: the finest everywhere.");
+    d.field("tolerance_m", &LightVolumesSettings::tolerance_m,
+            "How far along the light an adaptive mesh may stray from the shadow map.")
+        .unit("m")
+        .range(0.0, 1000.0);
+    d.field("terms", &LightVolumesSettings::terms,
+            "Terms of the series for the light along a ray, in steps of 4: more for narrow cones and phase functions.")
+        .range(4, 16);
+}
+
 /// "render": { "participating_media": { ... } } of a scene. What stands at this level is the ray march's.
 struct MediaSettings {
     static constexpr std::string_view kName = "participating_media";
@@ -16,6 +40,7 @@ struct MediaSettings {
     int32_t light_steps = 8;
     bool jitter = true;
     bool filter = true;
+    LightVolumesSettings light_volumes;
 };
 
 inline void describe(StructBuilder<MediaSettings>& d) {
@@ -33,6 +58,7 @@ inline void describe(StructBuilder<MediaSettings>& d) {
     d.field("filter", &MediaSettings::filter,
             "Averages 3x3 (at half resolution 5x5) marched pixels of like distance: takes the grain off, softens edges "
             "of shafts.");
+    d.field("light_volumes", &MediaSettings::light_volumes, "Of the solver light_volumes.");
 }
 
 }  // namespace tyndall::participating_media

@@ -5,50 +5,16 @@
 // point and spot lights the inverse-square law (steps of equal angle seen from the light: Kulla & Fajardo 2012). The
 // rest is taken at one point of the step, jittered by blue noise, so that the mean over pixels has no bias. The way to the
 // eye is exact for even media, for blobs and for height fog; through noise and grids it is taken once a step.
-#include "participating_media/media.glsl"
-#include "render/shaders/frame.glsl"
-#include "render/shaders/lights.glsl"
-#include "seams/light_transmittance.glsl"
+#include "participating_media/light_source.glsl"
 
 uniform sampler2D scene_depth;
 uniform sampler2D blue_noise;
 uniform int steps;
 uniform float fixed_offset;  // of a step; negative = by blue noise
-uniform uint light_index;
-#ifdef ONE_MEDIUM
-const int medium = 0;
-#else
-uniform int medium;
-#endif
 uniform int pixel_step;  // full-resolution pixels from one marched pixel to the next
 uniform float farthest;  // metres; rays that hit nothing end here
 
 out vec4 in_scatter;  // rgb radiance, a metres marched
-
-struct Ray {
-    vec3 origin;
-    vec3 direction;
-};
-
-#if PHASE_KIND == 8  // tabulated
-uniform sampler2D phase_tables;  // a row for each medium, over the scattering angle
-vec3 phase(float u) {
-    float width = float(textureSize(phase_tables, 0).x);
-    float column = 0.5 + acos(clamp(u, -1.0, 1.0)) * 0.31830989 * (width - 1.0);
-    return textureLod(phase_tables, vec2(column / width, (float(medium) + 0.5) / 16.0), 0.0).rgb;
-}
-#else
-float phase(float u) { return phase_evaluate(PHASE_KIND, media[medium].phase_parameters, u); }
-#endif
-
-// Radiance per metre that the light sends from the ray's point t to the eye, before the way there.
-vec3 source(Ray ray, float t) {
-    vec3 p = ray.origin + t * ray.direction;
-    vec3 to_light;
-    vec3 irradiance = light_irradiance(light_index, p, to_light);
-    return irradiance * phase(dot(-to_light, -ray.direction)) * light_transmittance(light_index, p, vec3(0.0)) *
-           medium_density(medium, p);
-}
 
 #if LIGHT_KIND == 2  // LIGHT_DIRECTIONAL
 vec3 march(Ray ray, float t0, float t1, float offset) {
