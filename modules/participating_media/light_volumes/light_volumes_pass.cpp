@@ -112,8 +112,8 @@ void LightVolumesPass::resolve(PassContext& context, const Term& term) {
     const bool lit = frame.scene.lights[term.light].kind == LightKind::directional ||
                      !LightMeshes::has_shadows(frame, term.light);
     program.set("unshadowed", lit ? 1.0f : 0.0f);
-    const std::vector<glm::vec2> nodes = gauss_legendre(terms());
-    for (size_t i = 0; i < nodes.size(); ++i) program.set(fmt::format("nodes[{}]", i), nodes[i]);
+    const std::vector<glm::vec2> places = gauss_legendre(nodes());
+    for (size_t i = 0; i < places.size(); ++i) program.set(fmt::format("nodes[{}]", i), places[i]);
     const DrawState state(DepthState::off, BlendState::add);
     gpu::draw_fullscreen();
 }
@@ -143,7 +143,7 @@ LightPrograms& LightVolumesPass::programs(Step step, PhaseKind phase) {
     const std::string_view fragment = kFragments[static_cast<size_t>(step)];
     gpu::ProgramDesc desc{.name = fmt::format("participating_media.light_volumes_{}", fragment),
                           .fragment = fmt::format("participating_media/light_volumes/{}.frag", fragment),
-                          .defines = {"IGNORE_SHADOW_MAPS", fmt::format("TERMS {}", terms()),
+                          .defines = {"IGNORE_SHADOW_MAPS", fmt::format("TERMS {}", terms()), fmt::format("NODES {}", nodes()),
                                       fmt::format("PHASE_KIND {}", static_cast<int>(phase))}};
     if (step == Step::faces) desc.vertex = "participating_media/light_volumes/faces.vert";
     if (one) desc.defines.emplace_back("ONE_MEDIUM");

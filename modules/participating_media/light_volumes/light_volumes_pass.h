@@ -48,6 +48,8 @@ class LightVolumesPass final : public Pass {
     void resolve(PassContext& context, const Term& term);
     [[nodiscard]] LightPrograms& programs(Step step, PhaseKind phase);
     [[nodiscard]] int terms() const { return settings_.light_volumes.terms / 4 * 4; }
+    /// The light along a ray bends more sharply (at a spot's edge) than terms alone would need.
+    [[nodiscard]] int nodes() const { return terms() * 3 / 2; }
 
     std::shared_ptr<MediaBuffer> media_;
     const MediaSettings& settings_;

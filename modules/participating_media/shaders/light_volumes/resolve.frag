@@ -6,7 +6,7 @@
 uniform sampler2D spans;
 uniform sampler2DArray moments;  // layer k: those of degree 4k..4k+3
 uniform float unshadowed;        // 1: lit where no face says otherwise
-uniform vec2 nodes[TERMS];       // x and weight
+uniform vec2 nodes[NODES];       // x and weight
 
 in vec2 uv;
 out vec4 in_scatter;  // rgb radiance, a unused
@@ -23,8 +23,12 @@ void main() {
         for (int j = 0; j < 4; ++j) moment[4 * k + j] = (float(4 * k + j) + 0.5) * four[j];
     }
     moment[0] += unshadowed;
+#if defined(ONE_MEDIUM) && defined(EVEN_MEDIA)
+    float entry = 0.0, leave = 1e9;
+    clip_to_medium(medium, ray.origin, ray.direction, entry, leave);
+#endif
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < (span.scale != 0.0 ? TERMS : 0); ++i) {
+    for (int i = 0; i < (span.scale != 0.0 ? NODES : 0); ++i) {
         float x = nodes[i].x;
         float share = moment[0], before = 1.0, here = x;
         for (int j = 1; j < TERMS; ++j) {
@@ -36,7 +40,12 @@ void main() {
         }
         float metres;
         float t = from_parameter(span, passing, x, metres);
-        sum += source(ray, t) * media_transmittance(ray.origin, ray.direction, 0.0, t) * (nodes[i].y * metres * share);
+#if defined(ONE_MEDIUM) && defined(EVEN_MEDIA)
+        vec3 to_eye = exp(-media[medium].sigma_t.rgb * (t - entry));
+#else
+        vec3 to_eye = media_transmittance(ray.origin, ray.direction, 0.0, t);
+#endif
+        sum += source(ray, t) * to_eye * (nodes[i].y * metres * share);
     }
     in_scatter = vec4(media[medium].sigma_s_phase.rgb * sum, 0.0);
 }

@@ -8,13 +8,12 @@ uniform float farthest;  // metres; rays that hit nothing end here
 in vec2 uv;
 out vec4 span;
 
-// How much dimmer than unshadowed light in clear air what the ray's point t sends to the eye is, in e-foldings.
-float dimming(Ray ray, float t) {
+// Optical depth on the way from the light to the ray's point t.
+vec3 from_light(Ray ray, float t) {
     vec3 p = ray.origin + t * ray.direction;
     vec3 to_light;
     float metres = light_distance(light_index, p, to_light);
-    return dot(media_optical_depth(ray.origin, ray.direction, 0.0, t, 1) + media_optical_depth(p, to_light, 0.0, metres, 1),
-               vec3(1.0 / 3.0));
+    return media_optical_depth(p, to_light, 0.0, metres, 1);
 }
 
 void main() {
@@ -24,7 +23,8 @@ void main() {
     span = vec4(0.0);
     if (!clip_to_medium(medium, ray.origin, ray.direction, t0, t1)) return;
     if (!light_segment(light_index, ray.origin, ray.direction, t0, t1)) return;
+    vec3 fall = from_light(ray, t1) - from_light(ray, t0) + media_optical_depth(ray.origin, ray.direction, t0, t1, 1);
     Passing passing = passing_of(light_position(light_index) - ray.origin, ray.direction);
-    Span made = make_span(passing, t0, t1, dimming(ray, t1) - dimming(ray, t0));
+    Span made = make_span(passing, t0, t1, dot(fall, vec3(1.0 / 3.0)));
     span = vec4(made.low, made.high, made.decay, made.scale);
 }
