@@ -9,7 +9,7 @@ enum class Resolution { full, half };
 
 /// Polygonal light volumes.
 struct LightVolumesSettings {
-    int32_t texels_per_quad = 4;
+    int32_t texels_per_quad = 2;
     bool adaptive = true;
     float tolerance_m = 0.01f;
     int32_t terms = 8;

@@ -40,8 +40,8 @@ bool LightMeshes::has_shadows(const Frame& frame, size_t light) {
                                [&](const ShadowView& view) { return view.light == light; });
 }
 
-void LightMeshes::refresh(Entry& entry, const ShadowView& view, const gpu::Texture& maps) const {
-    const ShadowMesh mesh = make_shadow_mesh(view, read_depths(maps, view), entry.reach, entry.detail);
+void LightMeshes::refresh(Entry& entry, const ShadowView& view, bool of_cube, const gpu::Texture& maps) {
+    const ShadowMesh mesh = make_shadow_mesh(view, read_depths(maps, view), entry.reach, entry.detail, of_cube);
     entry.positions = gpu::Buffer(std::span<const glm::vec3>(mesh.positions), "light volume");
     entry.indices = gpu::Buffer(std::span<const uint32_t>(mesh.indices), "light volume");
     entry.index_count = static_cast<int>(mesh.indices.size());
@@ -57,6 +57,7 @@ void LightMeshes::draw(Frame& frame, size_t light, const Bounds& world, const Sh
         glVertexArrayAttribBinding(vertex_array_, 0, 0);
     }
     glBindVertexArray(vertex_array_);
+    const bool of_cube = std::ranges::count(views, light, &ShadowView::light) == 6;
     for (size_t i = 0; i < views.size(); ++i) {
         const bool last = i + 1 == views.size() || views[i + 1].light != light;
         if (views[i].light != light || (!views[i].perspective && !last)) continue;
@@ -67,7 +68,7 @@ void LightMeshes::draw(Frame& frame, size_t light, const Bounds& world, const Sh
             entry.version = version;
             entry.reach = reach;
             entry.detail = detail;
-            refresh(entry, views[i], *frame.shadow_maps.texture());
+            refresh(entry, views[i], of_cube, *frame.shadow_maps.texture());
         }
         glVertexArrayVertexBuffer(vertex_array_, 0, entry.positions.name(), 0, sizeof(glm::vec3));
         glVertexArrayElementBuffer(vertex_array_, entry.indices.name());

@@ -31,7 +31,7 @@ class LightMeshes {
         gpu::Buffer positions, indices;
         int index_count = 0;
     };
-    void refresh(Entry& entry, const ShadowView& view, const gpu::Texture& maps) const;
+    static void refresh(Entry& entry, const ShadowView& view, bool of_cube, const gpu::Texture& maps);
 
     std::vector<Entry> entries_;  ///< by number of the view in the plan
     unsigned int vertex_array_ = 0;

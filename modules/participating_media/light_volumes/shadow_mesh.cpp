@@ -38,18 +38,24 @@ class Axis {
     float depth_per_m_ = 1.0f;
 };
 
-/// The part of clip space that the mesh covers: a perspective view's filter margin (three texels) is not its own.
-float extent(const ShadowView& view) {
-    const auto size = static_cast<float>(view.size);
-    return (size - (view.perspective ? 6.0f : 1.0f)) / size;
-}
+/// Texels at each side of a view that only filters look at, where six make a cube (render/shadow_views.h).
+constexpr float kFilterMargin = 3.0f;
 
-/// Where a grid point lies in clip space.
-glm::vec2 clip_place(const ShadowView& view, int quads, uint32_t point) {
-    const auto columns = static_cast<uint32_t>(quads) + 1;
-    const glm::vec2 share = glm::vec2(point % columns, point / columns) / static_cast<float>(quads);
-    return extent(view) * (2.0f * share - 1.0f);
-}
+/// Where the points of a grid lie in a view.
+struct Grid {
+    int quads = 1;
+    int size = 1;  ///< texels
+    bool of_cube = false;
+
+    /// At the middles of texels, so that thin things keep their width; a cube's must end where the next begins.
+    [[nodiscard]] glm::vec2 clip(uint32_t point) const {
+        const auto columns = static_cast<uint32_t>(quads) + 1;
+        const glm::vec2 share = glm::vec2(point % columns, point / columns) / static_cast<float>(quads);
+        const auto texels = static_cast<float>(size);
+        return of_cube ? (2.0f * share - 1.0f) * (1.0f - 2.0f * kFilterMargin / texels)
+                       : 2.0f * share - 1.0f + 1.0f / texels;
+    }
+};
 
 float bilinear(std::span<const float> depths, int size, glm::vec2 texel, float nothing) {
     const glm::vec2 at = glm::clamp(texel, glm::vec2(0.0f), glm::vec2(static_cast<float>(size - 1)));
@@ -63,36 +69,35 @@ float bilinear(std::span<const float> depths, int size, glm::vec2 texel, float n
 }
 
 /// Planes are linear in depth over the map, so that few triangles are as good as many.
-std::vector<float> grid_depths(const ShadowView& view, std::span<const float> depths, int quads, float nothing) {
-    const auto points = static_cast<uint32_t>((quads + 1) * (quads + 1));
-    std::vector<float> grid(points);
-    for (uint32_t point = 0; point < points; ++point) {
-        const glm::vec2 share = 0.5f + 0.5f * clip_place(view, quads, point);
-        grid[point] = bilinear(depths, view.size, share * static_cast<float>(view.size) - 0.5f, nothing);
+std::vector<float> grid_depths(const Grid& grid, std::span<const float> depths, float nothing) {
+    std::vector<float> result(static_cast<size_t>((grid.quads + 1) * (grid.quads + 1)));
+    for (uint32_t point = 0; point < result.size(); ++point) {
+        const glm::vec2 share = 0.5f + 0.5f * grid.clip(point);
+        result[point] = bilinear(depths, grid.size, share * static_cast<float>(grid.size) - 0.5f, nothing);
     }
-    return grid;
+    return result;
 }
 
 /// Writes the used points of a grid, and then what closes the surface.
 class MeshWriter {
  public:
-    MeshWriter(const ShadowView& view, const Axis& axis, int quads) : view_(view), axis_(axis), quads_(quads) {}
+    MeshWriter(const Axis& axis, const Grid& grid) : axis_(axis), grid_(grid) {}
 
-    void surface(const Triangulation& triangulation, std::span<const float> grid) {
-        vertices_.assign(grid.size(), kNone);
+    void surface(const Triangulation& triangulation, std::span<const float> depths) {
+        vertices_.assign(depths.size(), kNone);
         for (const uint32_t point : triangulation.triangles) {
-            if (vertices_[point] == kNone) vertices_[point] = add(axis_.world(clip_place(view_, quads_, point), grid[point]));
+            if (vertices_[point] == kNone) vertices_[point] = add(axis_.world(grid_.clip(point), depths[point]));
             mesh_.indices.push_back(vertices_[point]);
         }
     }
-    void pyramid(const std::vector<uint32_t>& border) {
-        const uint32_t apex = add(view_.eye);
+    void pyramid(const std::vector<uint32_t>& border, const glm::vec3& eye) {
+        const uint32_t apex = add(eye);
         for (size_t i = 0; i < border.size(); ++i) triangle(apex, vertices_[border[i]], vertices_[next(border, i)]);
     }
     void lid(const std::vector<uint32_t>& border, float depth) {
         const uint32_t middle = add(axis_.world(glm::vec2(0.0f), depth));
         const auto first = static_cast<uint32_t>(mesh_.positions.size());
-        for (const uint32_t point : border) add(axis_.world(clip_place(view_, quads_, point), depth));
+        for (const uint32_t point : border) add(axis_.world(grid_.clip(point), depth));
         for (size_t i = 0; i < border.size(); ++i) {
             const uint32_t low = first + static_cast<uint32_t>(i);
             const uint32_t low_next = first + static_cast<uint32_t>((i + 1) % border.size());
@@ -115,9 +120,8 @@ class MeshWriter {
     }
     void triangle(uint32_t a, uint32_t b, uint32_t c) { mesh_.indices.insert(mesh_.indices.end(), {a, b, c}); }
 
-    const ShadowView& view_;
     const Axis& axis_;
-    int quads_;
+    const Grid& grid_;
     std::vector<uint32_t> vertices_;  // of grid points
     ShadowMesh mesh_;
 };
@@ -130,19 +134,20 @@ float axis_distance(const ShadowView& view, const glm::vec3& p) {
 }
 
 ShadowMesh make_shadow_mesh(const ShadowView& view, std::span<const float> depths, float reach,
-                            const ShadowMeshDetail& detail) {
+                            const ShadowMeshDetail& detail, bool of_cube) {
     const Axis axis(view);
     const float nothing = axis.depth(reach);
     const int per_quad = std::max(detail.texels_per_quad, 1);
     const int quads = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(view.size / per_quad, 1))));
-    const std::vector<float> grid = grid_depths(view, depths, quads, nothing);
+    const Grid grid{quads, view.size, of_cube};
+    const std::vector<float> heights = grid_depths(grid, depths, nothing);
     const Triangulation triangulation =
-        triangulate(grid, quads, detail.tolerance_m,
+        triangulate(heights, quads, detail.tolerance_m,
                     [&](float a, float b) { return std::abs(axis.metres(a) - axis.metres(b)); });
-    MeshWriter writer(view, axis, quads);
-    writer.surface(triangulation, grid);
+    MeshWriter writer(axis, grid);
+    writer.surface(triangulation, heights);
     if (view.perspective)
-        writer.pyramid(triangulation.border);
+        writer.pyramid(triangulation.border, view.eye);
     else
         writer.lid(triangulation.border, nothing);
     return writer.take();

@@ -19,7 +19,7 @@ struct ShadowMesh {
 
 /// How finely a shadow map becomes a mesh.
 struct ShadowMeshDetail {
-    int texels_per_quad = 4;     ///< of the finest triangles
+    int texels_per_quad = 1;    ///< of the finest triangles
     float tolerance_m = 0.01f;  ///< along the light; negative: all triangles as fine as they get
     bool operator==(const ShadowMeshDetail&) const = default;
 };
@@ -32,8 +32,8 @@ struct ShadowMeshDetail {
 ///  - perspective: the sides of the pyramid between the light and the surface, so that what is inside is lit;
 ///  - directional: sides and a lid behind it, so that what is inside is dark and all around is lit.
 /// `depths` are the view's size^2 texels, reversed-Z, bottom row first; where they hold nothing, the surface lies `reach`
-/// metres along the axis. Texels that only filters look at are left out.
+/// metres along the axis. The six views `of_cube` overlap by what filters look at: their meshes do not.
 [[nodiscard]] ShadowMesh make_shadow_mesh(const ShadowView& view, std::span<const float> depths, float reach,
-                                          const ShadowMeshDetail& detail);
+                                          const ShadowMeshDetail& detail, bool of_cube = false);
 
 }  // namespace tyndall::participating_media
