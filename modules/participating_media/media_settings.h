@@ -31,6 +31,39 @@ inline void describe(StructBuilder<LightVolumesSettings>& d) {
         .range(4, 16);
 }
 
+/// Epipolar sampling.
+struct EpipolarSettings {
+    int32_t slices = 512;
+    int32_t samples = 256;
+    int32_t initial_step = 16;
+    int32_t shadow_samples = 1024;
+    int32_t steps = 32;
+    float refinement_threshold = 0.05f;
+    bool tree = true;
+    bool brute_force = false;
+};
+
+inline void describe(StructBuilder<EpipolarSettings>& d) {
+    d.doc("Epipolar sampling: rays are marched on few lines through the light's place on the screen.");
+    d.field("slices", &EpipolarSettings::slices, "Lines; a quarter of them ends at each side of the picture.")
+        .range(16, 4096);
+    d.field("samples", &EpipolarSettings::samples, "Samples on a line.").range(16, 4096);
+    d.field("initial_step", &EpipolarSettings::initial_step,
+            "Every so many samples a ray is marched where the depth has no break; a power of two.")
+        .range(1, 64);
+    d.field("shadow_samples", &EpipolarSettings::shadow_samples,
+            "Samples of the shadow map along a line; a power of two.")
+        .range(16, 4096);
+    d.field("steps", &EpipolarSettings::steps,
+            "Steps in which a ray's light is summed up; shadows within a step are found exactly.")
+        .range(1, 256);
+    d.field("refinement_threshold", &EpipolarSettings::refinement_threshold,
+            "Relative change of the distance between two samples that counts as a break.")
+        .range(0.0, 10.0);
+    d.field("tree", &EpipolarSettings::tree, "Off: walks along the shadow map texel by texel. Same picture, slower.");
+    d.field("brute_force", &EpipolarSettings::brute_force, "Marches every pixel instead: the reference of this solver.");
+}
+
 /// "render": { "participating_media": { ... } } of a scene. What stands at this level is the ray march's.
 struct MediaSettings {
     static constexpr std::string_view kName = "participating_media";
@@ -41,6 +74,7 @@ struct MediaSettings {
     bool jitter = true;
     bool filter = true;
     LightVolumesSettings light_volumes;
+    EpipolarSettings epipolar;
 };
 
 inline void describe(StructBuilder<MediaSettings>& d) {
@@ -59,6 +93,7 @@ inline void describe(StructBuilder<MediaSettings>& d) {
             "Averages 3x3 (at half resolution 5x5) marched pixels of like distance: takes the grain off, softens edges "
             "of shafts.");
     d.field("light_volumes", &MediaSettings::light_volumes, "Of the solver light_volumes.");
+    d.field("epipolar", &MediaSettings::epipolar, "Of the solver epipolar.");
 }
 
 }  // namespace tyndall::participating_media

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/log.h"
+#include "epipolar/epipolar_pass.h"
 #include "light_volumes/light_volumes_pass.h"
 
 namespace tyndall::participating_media {
@@ -25,6 +26,7 @@ std::string can_all(const RenderScene&, const Medium&, const Term&) {
 constexpr std::array<SolverTraits, kSolverCount> kTraits{{
     {"ray_marched", can_all},
     {"light_volumes", light_volumes_cannot},
+    {"epipolar", epipolar_cannot},
 }};
 
 }  // namespace
