@@ -49,7 +49,8 @@ inline void describe(StructBuilder<EpipolarSettings>& d) {
         .range(16, 4096);
     d.field("samples", &EpipolarSettings::samples, "Samples on a line.").range(16, 4096);
     d.field("initial_step", &EpipolarSettings::initial_step,
-            "Every so many samples a ray is marched where the depth has no break; a power of two.")
+            "Every so many samples a ray is marched where the depth has no break; a power of two. At most 4 where "
+            "densities vary.")
         .range(1, 64);
     d.field("shadow_samples", &EpipolarSettings::shadow_samples,
             "Samples of the shadow map along a line; a power of two.")

@@ -50,7 +50,11 @@ void EpipolarPass::declare(PassDeclaration& declaration) {
         .after("participating_media.light_volumes");
 }
 
-int EpipolarPass::initial_step() const { return power_of_two_below(settings_.epipolar.initial_step); }
+int EpipolarPass::initial_step() const {
+    constexpr int kLongestUneven = 4;
+    const int step = power_of_two_below(settings_.epipolar.initial_step);
+    return media_->even() ? step : std::min(step, kLongestUneven);
+}
 int EpipolarPass::shadow_samples() const { return power_of_two_below(settings_.epipolar.shadow_samples); }
 int EpipolarPass::samples() const {
     return std::max(settings_.epipolar.samples / initial_step(), 1) * initial_step() + 1;

@@ -46,6 +46,7 @@ class EpipolarPass final : public Pass {
     /// Along a slice: whole initial steps and one at the end.
     [[nodiscard]] int samples() const;
     [[nodiscard]] int shadow_samples() const;
+    /// Densities that vary leave less alike along a line.
     [[nodiscard]] int initial_step() const;
 
     std::shared_ptr<MediaBuffer> media_;

@@ -58,7 +58,7 @@ void main() {
         for (int i = 0; i < 2; ++i) {
             vec4 texel = texelFetch(lines, ivec2(column, min(int(at) + i, count.y - 1)), 0);
             float misfit = texel.a < 0.0 ? 1e9 : abs(texel.a - metres) / max(metres, 1e-3);
-            float weight = (across * (i == 0 ? 1.0 - fract(at) : fract(at)) + 1e-4) / (1e-2 + misfit);
+            float weight = (across * (i == 0 ? 1.0 - fract(at) : fract(at)) + 1e-4) / (5e-3 + misfit);
             sum += texel.a < 0.0 ? vec3(0.0) : texel.rgb * weight;
             total += weight;
             best = min(best, misfit);
