@@ -65,6 +65,16 @@ inline void describe(StructBuilder<EpipolarSettings>& d) {
     d.field("brute_force", &EpipolarSettings::brute_force, "Marches every pixel instead: the reference of this solver.");
 }
 
+/// Screen-space god rays.
+struct GodRaysSettings {
+    int32_t samples = 32;
+};
+
+inline void describe(StructBuilder<GodRaysSettings>& d) {
+    d.doc("Screen-space god rays: what stands in the sun's way is looked for in the picture itself.");
+    d.field("samples", &GodRaysSettings::samples, "Looks along the way to the sun on the screen.").range(1, 512);
+}
+
 /// "render": { "participating_media": { ... } } of a scene. What stands at this level is the ray march's.
 struct MediaSettings {
     static constexpr std::string_view kName = "participating_media";
@@ -76,6 +86,7 @@ struct MediaSettings {
     bool filter = true;
     LightVolumesSettings light_volumes;
     EpipolarSettings epipolar;
+    GodRaysSettings god_rays;
 };
 
 inline void describe(StructBuilder<MediaSettings>& d) {
@@ -95,6 +106,7 @@ inline void describe(StructBuilder<MediaSettings>& d) {
             "of shafts.");
     d.field("light_volumes", &MediaSettings::light_volumes, "Of the solver light_volumes.");
     d.field("epipolar", &MediaSettings::epipolar, "Of the solver epipolar.");
+    d.field("god_rays", &MediaSettings::god_rays, "Of the solver god_rays.");
 }
 
 }  // namespace tyndall::participating_media

@@ -7,6 +7,7 @@
 
 #include "core/log.h"
 #include "epipolar/epipolar_pass.h"
+#include "god_rays/god_rays_pass.h"
 #include "light_volumes/light_volumes_pass.h"
 
 namespace tyndall::participating_media {
@@ -27,6 +28,7 @@ constexpr std::array<SolverTraits, kSolverCount> kTraits{{
     {"ray_marched", can_all},
     {"light_volumes", light_volumes_cannot},
     {"epipolar", epipolar_cannot},
+    {"god_rays", god_rays_cannot},
 }};
 
 }  // namespace
