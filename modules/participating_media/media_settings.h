@@ -68,11 +68,20 @@ inline void describe(StructBuilder<EpipolarSettings>& d) {
 /// Screen-space god rays.
 struct GodRaysSettings {
     int32_t samples = 32;
+    float thickness_m = 1.0f;
+    float edge_fade = 0.2f;
 };
 
 inline void describe(StructBuilder<GodRaysSettings>& d) {
     d.doc("Screen-space god rays: what stands in the sun's way is looked for in the picture itself.");
     d.field("samples", &GodRaysSettings::samples, "Looks along the way to the sun on the screen.").range(1, 512);
+    d.field("thickness_m", &GodRaysSettings::thickness_m,
+            "How deep what stands in the light's way is taken to be: the picture shows its front alone.")
+        .unit("m")
+        .range(0.0, 1e6);
+    d.field("edge_fade", &GodRaysSettings::edge_fade,
+            "Part of half the picture over which what leaves it fades out of the light's way.")
+        .range(1e-3, 1.0);
 }
 
 /// "render": { "participating_media": { ... } } of a scene. What stands at this level is the ray march's.

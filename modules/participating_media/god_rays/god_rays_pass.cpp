@@ -50,6 +50,8 @@ void GodRaysPass::draw_term(PassContext& context, const Term& term) {
     program.set("light_index", static_cast<unsigned>(term.light));
     program.set("farthest", kFarthest);
     program.set("samples", settings_.god_rays.samples);
+    program.set("thickness", settings_.god_rays.thickness_m);
+    program.set("edge_fade", settings_.god_rays.edge_fade);
     gpu::draw_fullscreen();
 }
 

@@ -17,7 +17,7 @@ namespace tyndall::participating_media {
 [[nodiscard]] std::string god_rays_cannot(const RenderScene& scene, const Medium& medium, const Term& term);
 
 /// Adds to `media_in_scatter` what a directional light scatters in the scene's one even medium: the closed form without
-/// shadows, times the mean over the way to the sun on the screen of what the picture's surfaces leave of it (Mitchell 2007).
+/// shadows, times the share of it that the surfaces on the way to the sun on the screen leave (Mitchell 2007).
 class GodRaysPass final : public Pass {
  public:
     /// `settings` must outlive the pass.

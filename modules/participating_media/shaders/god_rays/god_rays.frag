@@ -1,15 +1,19 @@
 // Light of the sun scattered in an even medium, shaded by what the picture shows (Mitchell 2007; Livermore 2012, 4.2).
 //
 // The light's way to each point of the eye ray runs on the screen from the pixel toward the sun. A surface seen there
-// shades those points of the ray whose light passes behind it. The mean over the way of what is left of the unshadowed
-// integral is the result; the sky leaves all. The part of the way that is off the screen counts as free: as the sun leaves
-// the picture and goes beside the camera that part grows to all, and the shafts fade without a step.
+// shades those points of the ray whose light passes behind it, within a thickness that is assumed. The ray is cut into 64
+// parts with equal shares of the unshadowed integral, one bit each; surfaces take bits away, and what is left of them is
+// left of the integral. Nothing jumps as the sun leaves the picture or goes behind the camera: the way on the screen then
+// leads to the picture's edge, and away from the point opposite to the sun; and toward the edge what stands there counts
+// less and less, to be gone when it is out of sight: at the edge itself in none of four sets of bits, further in in all.
 #include "participating_media/god_rays/even_sun.glsl"
 
 uniform sampler2D scene_depth;
 uniform float farthest;     // metres; rays that hit nothing end here
 uniform vec3 sun_clip;      // x, y, w of the direction to the sun in clip space
 uniform int samples;        // along the way on the screen
+uniform float thickness;    // of what stands in the way, metres
+uniform float edge_fade;    // of half the picture
 
 in vec2 uv;
 out vec4 in_scatter;  // rgb radiance, a unused
@@ -19,26 +23,47 @@ float share_before(float t, float t0, float t1, float fall) {
     return (1.0 - exp(-fall * clamp((t - t0) / (t1 - t0), 0.0, 1.0))) / (1.0 - exp(-fall));
 }
 
-// Mean share of the integral that is lit, 0..1. Along the way u grows from 0; the sun is at u = 1 / sun_clip.z.
+// Bits from `low` on.
+uvec2 bits_from(int low) {
+    return uvec2(low <= 0 ? ~0u : low >= 32 ? 0u : ~0u << low, low <= 32 ? ~0u : low >= 64 ? 0u : ~0u << (low - 32));
+}
+
+// Share of the integral that is lit, 0..1. Along the way u grows from 0; the sun is at u = 1 / sun_clip.z.
 float lit_share(Ray ray, float t0, float t1, float fall) {
     vec2 from = uv * 2.0 - 1.0;
     vec2 way = sun_clip.xy - from * sun_clip.z;
     vec2 to_edge = (sign(way) - from) / mix(way, vec2(1e-9), lessThan(abs(way), vec2(1e-9)));
     float edge = max(min(to_edge.x, to_edge.y), 0.0);
-    float known = clamp(edge * sun_clip.z, 0.0, 1.0);  // the part of the way that is on the screen
-    float last = known / max(sun_clip.z, 1e-9);
-    float axis_per_metre = dot(ray.direction, -transpose(mat3(frame.view))[2]);
+    float last = sun_clip.z > 0.0 ? min(edge, 1.0 / sun_clip.z) : edge;
+    float metres_per_depth = 1.0 / dot(ray.direction, -transpose(mat3(frame.view))[2]);
     float jitter = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));  // Jimenez 2014
+    float rounding = fract(jitter * 7.0);
     ivec2 size = textureSize(scene_depth, 0);
-    float sum = 0.0;
-    for (int i = 0; i < (known > 0.0 ? samples : 0); ++i) {
+    uvec4 dark_low = uvec4(0u), dark_high = uvec4(0u);  // bits 0..31 and 32..63 of the four sets
+    float surface_before = -1e9;
+    vec2 t_before = vec2(0.0);
+    for (int i = 0; i < samples; ++i) {
         float u = (float(i) + jitter) / float(samples) * last;
-        ivec2 texel = clamp(ivec2((from + u * way + 1.0) * 0.5 * vec2(size)), ivec2(0), size - 1);
+        vec2 place = from + u * way;
+        ivec2 texel = clamp(ivec2((place + 1.0) * 0.5 * vec2(size)), ivec2(0), size - 1);
+        vec2 inside = (1.0 - abs(place)) / edge_fade;
         float depth = texelFetch(scene_depth, texel, 0).r;
-        float passes = view_depth(max(depth, 1e-12)) * (1.0 - u * sun_clip.z) / axis_per_metre;
-        sum += share_before(depth > 0.0 ? passes : t1, t0, t1, fall);
+        // the ray's point of view depth z sends its light past u at the view depth z / (1 - u sun_clip.z)
+        float surface = view_depth(max(depth, 1e-12));
+        vec2 t = vec2(surface, surface + thickness) * (1.0 - u * sun_clip.z) * metres_per_depth;
+        bool goes_on = abs(surface - surface_before) < thickness;  // the same thing: no gap between the two looks
+        vec2 shaded = goes_on ? vec2(min(t.x, t_before.x), max(t.y, t_before.y)) : t;
+        surface_before = surface;
+        t_before = t;
+        ivec2 bits = ivec2(floor(64.0 * vec2(share_before(shaded.x, t0, t1, fall), share_before(shaded.y, t0, t1, fall)) +
+                                 rounding));
+        uvec2 taken = depth > 0.0 ? bits_from(bits.x) & ~bits_from(bits.y) : uvec2(0u);
+        uvec4 counts = mix(uvec4(0u), uvec4(~0u), lessThan((vec4(0.0, 1.0, 2.0, 3.0) + jitter) / 4.0, vec4(min(inside.x, inside.y))));
+        dark_low |= taken.x & counts;
+        dark_high |= taken.y & counts;
     }
-    return 1.0 - known + known * sum / float(samples);
+    ivec4 dark = bitCount(dark_low) + bitCount(dark_high);
+    return 1.0 - float(dark.x + dark.y + dark.z + dark.w) / 256.0;
 }
 
 void main() {
