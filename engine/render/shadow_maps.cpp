@@ -65,7 +65,7 @@ void ShadowMaps::render(GpuScene& gpu_scene) {
             drawn.size == view.size && drawn.page == view.page && drawn.corner == view.corner)
             continue;
         draw(view, gpu_scene);
-        drawn = {view.clip_from_world, casters, view.size, view.page, view.corner, true};
+        drawn = {view.clip_from_world, casters, view.size, view.page, view.corner, ++version_, true};
         ++rendered_;
     }
 }

@@ -33,6 +33,8 @@ class ShadowMaps {
     /// Views drawn by the last render.
     [[nodiscard]] int rendered() const { return rendered_; }
     [[nodiscard]] const ShadowPlan& plan() const { return plan_; }
+    /// Another number each time that this view of the plan is drawn: what was made from its depths compares it.
+    [[nodiscard]] uint64_t version(size_t view) const { return view < drawn_.size() ? drawn_[view].version : 0; }
 
  private:
     /// What a view's square holds.
@@ -42,6 +44,7 @@ class ShadowMaps {
         int size = 0;
         int page = 0;
         glm::ivec2 corner{0};
+        uint64_t version = 0;
         bool valid = false;
     };
     void make_pages();
@@ -52,6 +55,7 @@ class ShadowMaps {
     std::vector<Drawn> drawn_;
     gpu::Texture texture_;
     std::vector<gpu::Framebuffer> pages_;
+    uint64_t version_ = 0;
     int rendered_ = 0;
     bool warned_ = false;
 };

@@ -19,6 +19,83 @@ inline void describe(StructBuilder<AnalyticSettings>& d) {
         .range(2, 64);
 }
 
+/// Polygonal light volumes.
+struct LightVolumesSettings {
+    int32_t texels_per_quad = 2;
+    bool adaptive = true;
+    float tolerance_m = 0.01f;
+    int32_t terms = 8;
+};
+
+inline void describe(StructBuilder<LightVolumesSettings>& d) {
+    d.doc("Polygonal light volumes: the border of the light as a mesh made from the shadow map.");
+    d.field("texels_per_quad", &LightVolumesSettings::texels_per_quad,
+            "Shadow-map texels along a side of the mesh's finest quads.")
+        .range(1, 64);
+    d.field("adaptive", &LightVolumesSettings::adaptive,
+            "Fewer triangles where the shadow map is flat; off: the finest everywhere.");
+    d.field("tolerance_m", &LightVolumesSettings::tolerance_m,
+            "How far along the light an adaptive mesh may stray from the shadow map.")
+        .unit("m")
+        .range(0.0, 1000.0);
+    d.field("terms", &LightVolumesSettings::terms,
+            "Terms of the series for the light along a ray, in steps of 4: more for narrow cones and phase functions.")
+        .range(4, 16);
+}
+
+/// Epipolar sampling.
+struct EpipolarSettings {
+    int32_t slices = 512;
+    int32_t samples = 256;
+    int32_t initial_step = 16;
+    int32_t shadow_samples = 1024;
+    int32_t steps = 32;
+    float refinement_threshold = 0.05f;
+    bool tree = true;
+    bool brute_force = false;
+};
+
+inline void describe(StructBuilder<EpipolarSettings>& d) {
+    d.doc("Epipolar sampling: rays are marched on few lines through the light's place on the screen.");
+    d.field("slices", &EpipolarSettings::slices, "Lines; a quarter of them ends at each side of the picture.")
+        .range(16, 4096);
+    d.field("samples", &EpipolarSettings::samples, "Samples on a line.").range(16, 4096);
+    d.field("initial_step", &EpipolarSettings::initial_step,
+            "Every so many samples a ray is marched where the depth has no break; a power of two. At most 4 where "
+            "densities vary.")
+        .range(1, 64);
+    d.field("shadow_samples", &EpipolarSettings::shadow_samples,
+            "Samples of the shadow map along a line; a power of two.")
+        .range(16, 4096);
+    d.field("steps", &EpipolarSettings::steps,
+            "Steps in which a ray's light is summed up; shadows within a step are found exactly.")
+        .range(1, 256);
+    d.field("refinement_threshold", &EpipolarSettings::refinement_threshold,
+            "Relative change of the distance between two samples that counts as a break.")
+        .range(0.0, 10.0);
+    d.field("tree", &EpipolarSettings::tree, "Off: walks along the shadow map texel by texel. Same picture, slower.");
+    d.field("brute_force", &EpipolarSettings::brute_force, "Marches every pixel instead: the reference of this solver.");
+}
+
+/// Screen-space god rays.
+struct GodRaysSettings {
+    int32_t samples = 32;
+    float thickness_m = 1.0f;
+    float edge_fade = 0.2f;
+};
+
+inline void describe(StructBuilder<GodRaysSettings>& d) {
+    d.doc("Screen-space god rays: what stands in the sun's way is looked for in the picture itself.");
+    d.field("samples", &GodRaysSettings::samples, "Looks along the way to the sun on the screen.").range(1, 512);
+    d.field("thickness_m", &GodRaysSettings::thickness_m,
+            "How deep what stands in the light's way is taken to be: the picture shows its front alone.")
+        .unit("m")
+        .range(0.0, 1e6);
+    d.field("edge_fade", &GodRaysSettings::edge_fade,
+            "Part of half the picture over which what leaves it fades out of the light's way.")
+        .range(1e-3, 1.0);
+}
+
 /// "render": { "participating_media": { ... } } of a scene. What stands at this level is the ray march's.
 struct MediaSettings {
     static constexpr std::string_view kName = "participating_media";
@@ -29,6 +106,9 @@ struct MediaSettings {
     bool jitter = true;
     bool filter = true;
     AnalyticSettings analytic;
+    LightVolumesSettings light_volumes;
+    EpipolarSettings epipolar;
+    GodRaysSettings god_rays;
 };
 
 inline void describe(StructBuilder<MediaSettings>& d) {
@@ -47,6 +127,9 @@ inline void describe(StructBuilder<MediaSettings>& d) {
             "Averages 3x3 (at half resolution 5x5) marched pixels of like distance: takes the grain off, softens edges "
             "of shafts.");
     d.field("analytic", &MediaSettings::analytic, "The solver analytic.");
+    d.field("light_volumes", &MediaSettings::light_volumes, "Of the solver light_volumes.");
+    d.field("epipolar", &MediaSettings::epipolar, "Of the solver epipolar.");
+    d.field("god_rays", &MediaSettings::god_rays, "Of the solver god_rays.");
 }
 
 }  // namespace tyndall::participating_media

@@ -1,6 +1,9 @@
 // The module: what it registers.
 
 #include "analytic/analytic_pass.h"
+#include "epipolar/epipolar_pass.h"
+#include "god_rays/god_rays_pass.h"
+#include "light_volumes/light_volumes_pass.h"
 #include "march/march_pass.h"
 #include "medium_component.h"
 #include "module/module.h"
@@ -17,6 +20,9 @@ class ParticipatingMedia final : public Module {
         registrar.pass(std::make_unique<FilterPass>(media, settings));
         registrar.pass(std::make_unique<GatherPass>(media, settings));
         registrar.pass(std::make_unique<AnalyticPass>(media, settings));
+        registrar.pass(std::make_unique<LightVolumesPass>(media, settings));
+        registrar.pass(std::make_unique<EpipolarPass>(media, settings));
+        registrar.pass(std::make_unique<GodRaysPass>(media, settings));
         const auto bind_media = [media, &settings](const gpu::Program& program, PassContext& context) {
             media->update(context.frame().scene, settings.enabled);
             media->bind(program, settings.light_steps);

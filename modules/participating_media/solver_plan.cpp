@@ -7,6 +7,9 @@
 
 #include "analytic/analytic_pass.h"
 #include "core/log.h"
+#include "epipolar/epipolar_pass.h"
+#include "god_rays/god_rays_pass.h"
+#include "light_volumes/light_volumes_pass.h"
 
 namespace tyndall::participating_media {
 namespace {
@@ -22,7 +25,13 @@ std::string can_all(const RenderScene&, const Medium&, const Term&) {
 }
 
 /// In the order of Solver.
-constexpr std::array<SolverTraits, kSolverCount> kTraits{{{"ray_marched", can_all}, {"analytic", analytic_cannot}}};
+constexpr std::array<SolverTraits, kSolverCount> kTraits{{
+    {"ray_marched", can_all},
+    {"analytic", analytic_cannot},
+    {"light_volumes", light_volumes_cannot},
+    {"epipolar", epipolar_cannot},
+    {"god_rays", god_rays_cannot},
+}};
 
 }  // namespace
 

@@ -12,8 +12,8 @@
 namespace tyndall::participating_media {
 
 /// The solvers by their names in scene files: solver_names().
-enum class Solver { ray_marched, analytic };
-inline constexpr size_t kSolverCount = 2;
+enum class Solver { ray_marched, analytic, light_volumes, epipolar, god_rays };
+inline constexpr size_t kSolverCount = 5;
 /// In the order of Solver.
 [[nodiscard]] std::vector<std::string> solver_names();
 
