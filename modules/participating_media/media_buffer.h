@@ -25,6 +25,8 @@ class MediaBuffer {
     const std::vector<Medium>& update(const RenderScene& scene, bool enabled);
     [[nodiscard]] const std::vector<Medium>& media() const { return media_; }
     [[nodiscard]] const SolverPlan& plan() const { return plan_; }
+    /// Changes when something that is uploaded of the media does.
+    [[nodiscard]] const std::string& bytes() const { return uploaded_; }
     /// No density varies.
     [[nodiscard]] bool even() const { return even_; }
     /// Sets all that media.glsl declares; `light_steps` are samples through noise and grids.

@@ -7,6 +7,41 @@ namespace tyndall::participating_media {
 
 enum class Resolution { full, half };
 
+/// "froxels": { ... }: the view-aligned grid (froxels/froxel_pass.h).
+struct FroxelSettings {
+    int32_t width = 160;
+    int32_t height = 90;
+    int32_t depth = 64;
+    float range_m = 128.0f;
+    float even_m = 8.0f;
+    int32_t samples = 1;
+    int32_t samples_alone = 4;
+    bool history = true;
+    bool reference = false;
+};
+
+inline void describe(StructBuilder<FroxelSettings>& d) {
+    d.doc("The froxels: a grid of places in front of the camera, in which light is gathered.");
+    d.field("width", &FroxelSettings::width, "Froxels across the picture.").range(1, 1024);
+    d.field("height", &FroxelSettings::height, "Froxels up the picture.").range(1, 1024);
+    d.field("depth", &FroxelSettings::depth, "Froxels along the view, between the media's nearest and farthest place.")
+        .range(1, 512);
+    d.field("range_m", &FroxelSettings::range_m,
+            "The grid ends here at the latest; what lies beyond is integrated in closed form, a few pieces a pixel.")
+        .unit("m")
+        .range(0.1, 1e5);
+    d.field("even_m", &FroxelSettings::even_m,
+            "Up to about here froxels are of like depth; beyond, their depth grows with distance.")
+        .unit("m")
+        .range(0.01, 1e5);
+    d.field("samples", &FroxelSettings::samples, "Places looked at in a froxel, a frame.").range(1, 64);
+    d.field("samples_alone", &FroxelSettings::samples_alone, "The same in a froxel that has no history.").range(1, 64);
+    d.field("history", &FroxelSettings::history,
+            "Averages over frames, where nothing changed. Off: every frame stands for itself and its pattern is still.");
+    d.field("reference", &FroxelSettings::reference,
+            "Brute force: a froxel for every 2x2 pixels, four times the depth, 16 samples, no history.");
+}
+
 /// "render": { "participating_media": { ... } } of a scene. What stands at this level is the ray march's.
 struct MediaSettings {
     static constexpr std::string_view kName = "participating_media";
@@ -16,6 +51,7 @@ struct MediaSettings {
     int32_t light_steps = 8;
     bool jitter = true;
     bool filter = true;
+    FroxelSettings froxels;
 };
 
 inline void describe(StructBuilder<MediaSettings>& d) {
@@ -33,6 +69,7 @@ inline void describe(StructBuilder<MediaSettings>& d) {
     d.field("filter", &MediaSettings::filter,
             "Averages 3x3 (at half resolution 5x5) marched pixels of like distance: takes the grain off, softens edges "
             "of shafts.");
+    d.field("froxels", &MediaSettings::froxels, "Of the solver froxels.");
 }
 
 }  // namespace tyndall::participating_media

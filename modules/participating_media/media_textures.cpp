@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "media_buffer.h"
+#include "physics/blue_noise.h"
 
 namespace tyndall::participating_media {
 namespace {
@@ -15,6 +16,15 @@ std::shared_ptr<const VolumeAsset> volume_of(const Medium& medium) {
 }
 
 }  // namespace
+
+gpu::Texture make_blue_noise() {
+    const std::vector<float> mask = physics::blue_noise_mask();
+    gpu::Texture texture(
+        {.format = gpu::Format::r32f, .width = physics::kBlueNoiseSize, .height = physics::kBlueNoiseSize},
+        "participating_media.blue_noise");
+    texture.upload(0, 0, mask.data());
+    return texture;
+}
 
 void MediaTextures::update(const std::vector<Medium>& media) {
     std::vector<std::shared_ptr<const VolumeAsset>> volumes;

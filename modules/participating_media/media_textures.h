@@ -10,6 +10,9 @@
 
 namespace tyndall::participating_media {
 
+/// The mask physics::blue_noise_mask() as a texture.
+[[nodiscard]] gpu::Texture make_blue_noise();
+
 /// Keeps the textures until other grids or tables are asked for.
 class MediaTextures {
  public:

@@ -1,5 +1,6 @@
 // The module: what it registers.
 
+#include "froxels/froxel_pass.h"
 #include "march/march_pass.h"
 #include "medium_component.h"
 #include "module/module.h"
@@ -15,6 +16,8 @@ class ParticipatingMedia final : public Module {
         registrar.pass(std::make_unique<MarchPass>(media, settings));
         registrar.pass(std::make_unique<FilterPass>(media, settings));
         registrar.pass(std::make_unique<GatherPass>(media, settings));
+        const auto froxels = std::make_shared<FroxelVolume>();
+        registrar.pass(std::make_unique<FroxelPass>(media, froxels, settings));
         const auto bind_media = [media, &settings](const gpu::Program& program, PassContext& context) {
             media->update(context.frame().scene, settings.enabled);
             media->bind(program, settings.light_steps);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/log.h"
+#include "froxels/froxel_pass.h"
 
 namespace tyndall::participating_media {
 namespace {
@@ -21,7 +22,7 @@ std::string can_all(const RenderScene&, const Medium&, const Term&) {
 }
 
 /// In the order of Solver.
-constexpr std::array<SolverTraits, kSolverCount> kTraits{{{"ray_marched", can_all}}};
+constexpr std::array<SolverTraits, kSolverCount> kTraits{{{"ray_marched", can_all}, {"froxels", froxels_cannot}}};
 
 }  // namespace
 

@@ -12,8 +12,8 @@
 namespace tyndall::participating_media {
 
 /// The solvers by their names in scene files: solver_names().
-enum class Solver { ray_marched };
-inline constexpr size_t kSolverCount = 1;
+enum class Solver { ray_marched, froxels };
+inline constexpr size_t kSolverCount = 2;
 /// In the order of Solver.
 [[nodiscard]] std::vector<std::string> solver_names();
 

@@ -4,19 +4,10 @@
 #include <fmt/format.h>
 
 #include "march/light_rectangle.h"
-#include "physics/blue_noise.h"
+#include "media_textures.h"
 
 namespace tyndall::participating_media {
 namespace {
-
-gpu::Texture make_blue_noise() {
-    const std::vector<float> mask = physics::blue_noise_mask();
-    gpu::Texture texture(
-        {.format = gpu::Format::r32f, .width = physics::kBlueNoiseSize, .height = physics::kBlueNoiseSize},
-        "participating_media.blue_noise");
-    texture.upload(0, 0, mask.data());
-    return texture;
-}
 
 int pixel_step(const MediaSettings& settings) {
     return settings.resolution == Resolution::half ? 2 : 1;

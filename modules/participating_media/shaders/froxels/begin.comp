@@ -1,0 +1,50 @@
+// Begins a frame's froxels: what of their history still holds, to which the lights add.
+//
+// A froxel's source is the radiance per metre that goes to the eye, a mean over the froxel. Its alpha is 1 + the weight of this
+// frame's light, or 0 where nobody looks: the sum over n frames is their mean until the weight is down to `least_weight`.
+#include "participating_media/froxels/grid.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(rgba32f) writeonly uniform image3D froxel_source;
+layout(r32f) readonly uniform image2D froxel_reach;
+uniform sampler3D history;     // the last frame's froxel_source
+uniform vec4 history_depths;   // as froxel_depths, of the last frame
+uniform mat4 history_view_projection;
+uniform vec3 history_eye;
+uniform int has_history;
+uniform float least_weight;
+uniform int dirty_count;       // places where the light changed
+uniform vec4 dirty[16];        // centre and radius; a negative radius is everywhere
+
+// How fast the history fades when the eye sees a place from another side: the phase function's lobe moves.
+const float kFadePerRadian = 8.0;
+
+vec4 reprojected(vec3 p) {
+    vec4 clip = history_view_projection * vec4(p, 1.0);
+    vec2 uv = clip.xy / clip.w * 0.5 + 0.5;
+    float share = log(1.0 + max(clip.w - history_depths.x, 0.0) / history_depths.y) / history_depths.z;
+    vec3 place = vec3(uv, share);
+    bool inside = clip.w > history_depths.x && all(greaterThanEqual(place, vec3(0.0))) && all(lessThanEqual(place, vec3(1.0)));
+    return inside ? textureLod(history, place, 0.0) : vec4(0.0);
+}
+
+void main() {
+    ivec3 froxel = ivec3(gl_GlobalInvocationID);
+    if (any(greaterThanEqual(froxel, froxel_size))) return;
+    float near = froxel_depth(float(froxel.z) / float(froxel_size.z));
+    bool seen = near < imageLoad(froxel_reach, froxel.xy).x;
+    vec4 source = vec4(0.0, 0.0, 0.0, seen ? 2.0 : 0.0);
+    for (int k = 0; k < (seen ? has_history : 0); ++k) {
+        vec3 share = (vec3(froxel) + 0.5) / vec3(froxel_size);
+        vec3 p = frame.eye_near.xyz + froxel_depth(share.z) * eye_ray_to_plane(share.xy);
+        vec4 old = reprojected(p);
+        bool holds = old.a >= 1.0;
+        for (int i = 0; i < dirty_count; ++i) holds = holds && dirty[i].w >= 0.0 && distance(p, dirty[i].xyz) > dirty[i].w;
+        float angle = length(normalize(p - frame.eye_near.xyz) - normalize(p - history_eye));
+        float before = old.a - 1.0;
+        float weight = min(max(max(before / (1.0 + before), least_weight), kFadePerRadian * angle), 1.0);
+        source = holds ? vec4(old.rgb * (1.0 - weight), 1.0 + weight) : source;
+    }
+    imageStore(froxel_source, froxel, source);
+}
