@@ -86,8 +86,12 @@ void FroxelHistory::update(const Frame& frame, const MediaBuffer& media, const s
     media_ = media.bytes();
 }
 
+int FroxelHistory::kind() const {
+    if (!has_) return 0;
+    return view_projection_ == previous_view_projection_ && depths_ == previous_depths_ ? 2 : 1;
+}
+
 void FroxelHistory::bind(const gpu::Program& program) const {
-    program.set("has_history", has_ ? 1 : 0);
     program.set("history_view_projection", previous_view_projection_);
     program.set("history_eye", previous_eye_);
     program.set("history_depths", previous_depths_);

@@ -21,6 +21,8 @@ class FroxelHistory {
     void update(const Frame& frame, const MediaBuffer& media, const std::vector<Term>& terms, const FroxelGrid& grid,
                 bool usable);
     void forget() { known_ = false; }
+    /// 0 nothing holds, 1 seen from another view, 2 from the same: HISTORY of begin.comp.
+    [[nodiscard]] int kind() const;
     /// Sets what begin.comp asks for.
     void bind(const gpu::Program& program) const;
     /// Frames since the last cut.

@@ -13,6 +13,7 @@ namespace tyndall::participating_media {
 namespace {
 
 constexpr int kReferenceSamples = 16;
+constexpr int kSlicesAThread = 8;  ///< as in shaders/froxels/grid.glsl
 
 const gpu::Program& compute(PassContext& context, std::string_view shader, std::vector<std::string> defines = {}) {
     const gpu::Program& program =
@@ -59,7 +60,7 @@ void FroxelPass::execute(PassContext& context) {
 
 void FroxelPass::dispatch(const glm::ivec3& froxels) const {
     glDispatchCompute(static_cast<GLuint>((froxels.x + 7) / 8), static_cast<GLuint>((froxels.y + 7) / 8),
-                      static_cast<GLuint>(froxels.z));
+                      static_cast<GLuint>((froxels.z + kSlicesAThread - 1) / kSlicesAThread));
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
@@ -80,12 +81,14 @@ void FroxelPass::find_columns(PassContext& context) {
 }
 
 void FroxelPass::begin_sources(PassContext& context) {
-    const gpu::Program& program = compute(context, "begin");
+    const gpu::Program& program = compute(context, "begin", {fmt::format("HISTORY {}", history_.kind())});
     volume_->bind_grid(program);
     history_.bind(program);
     program.image("froxel_source", volume_->source[volume_->now], 0, true);
     program.image("froxel_reach", volume_->reach, 0, false);
-    if (keeps_history()) program.texture("history", volume_->source[1 - volume_->now], {.filter = gpu::Filter::linear});
+    const gpu::Texture& old = volume_->source[keeps_history() ? 1 - volume_->now : volume_->now];
+    program.texture("history", old, {.filter = gpu::Filter::linear});
+    program.image("history_froxels", old, 0, false);
     dispatch(volume_->grid.size);
 }
 
@@ -96,9 +99,10 @@ void FroxelPass::bind_samples(const gpu::Program& program, PassContext& context)
     media_->bind(program, settings_.light_steps);
     program.image("froxel_source", volume_->source[volume_->now], 0, true);
     program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
-    program.texture("froxel_columns", volume_->columns, {.filter = gpu::Filter::nearest});
+    program.image("froxel_columns", volume_->columns, 0, false);
     program.texture("phase_tables", media_->phase_tables(), {.filter = gpu::Filter::linear});
-    program.texture("blue_noise", blue_noise_, {.filter = gpu::Filter::nearest});
+    program.image("blue_noise", blue_noise_, 0, false);
+    program.set("once", 1);
     program.set("samples", settings.samples);
     program.set("samples_alone", alone);
     program.set("first_sample", keeps_history() ? static_cast<int>(context.frame().scene.frame % 4096) * alone : 0);

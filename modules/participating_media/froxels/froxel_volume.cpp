@@ -1,5 +1,7 @@
 #include "froxels/froxel_volume.h"
 
+#include <cmath>
+
 namespace tyndall::participating_media {
 namespace {
 
@@ -32,6 +34,7 @@ bool FroxelVolume::make(bool history) {
 void FroxelVolume::bind_grid(const gpu::Program& program) const {
     program.set("froxel_size", grid.size);
     program.set("froxel_depths", grid.depths());
+    program.set("froxel_step", std::exp(grid.growth / static_cast<float>(grid.size.z)) - 1.0f);
 }
 
 void FroxelVolume::bind(const gpu::Program& program) const {

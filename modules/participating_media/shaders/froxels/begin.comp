@@ -4,15 +4,16 @@
 // frame's light, or 0 where nobody looks: the sum over n frames is their mean until the weight is down to `least_weight`.
 #include "participating_media/froxels/grid.glsl"
 
+// HISTORY: 0 none, 1 from another view, 2 from the same.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba32f) writeonly uniform image3D froxel_source;
 layout(r32f) readonly uniform image2D froxel_reach;
 uniform sampler3D history;     // the last frame's froxel_source
+layout(rgba32f) readonly uniform image3D history_froxels;  // the same
 uniform vec4 history_depths;   // as froxel_depths, of the last frame
 uniform mat4 history_view_projection;
 uniform vec3 history_eye;
-uniform int has_history;
 uniform float least_weight;
 uniform int dirty_count;       // places where the light changed
 uniform vec4 dirty[16];        // centre and radius; a negative radius is everywhere
@@ -29,22 +30,37 @@ vec4 reprojected(vec3 p) {
     return inside ? textureLod(history, place, 0.0) : vec4(0.0);
 }
 
-void main() {
-    ivec3 froxel = ivec3(gl_GlobalInvocationID);
-    if (any(greaterThanEqual(froxel, froxel_size))) return;
+vec3 froxel_middle(ivec3 froxel) {
+    vec3 share = (vec3(froxel) + 0.5) / vec3(froxel_size);
+    return frame.eye_near.xyz + froxel_depth(share.z) * eye_ray_to_plane(share.xy);
+}
+
+void begin(ivec3 froxel) {
     float near = froxel_depth(float(froxel.z) / float(froxel_size.z));
     bool seen = near < imageLoad(froxel_reach, froxel.xy).x;
     vec4 source = vec4(0.0, 0.0, 0.0, seen ? 2.0 : 0.0);
-    for (int k = 0; k < (seen ? has_history : 0); ++k) {
-        vec3 share = (vec3(froxel) + 0.5) / vec3(froxel_size);
-        vec3 p = frame.eye_near.xyz + froxel_depth(share.z) * eye_ray_to_plane(share.xy);
-        vec4 old = reprojected(p);
-        bool holds = old.a >= 1.0;
-        for (int i = 0; i < dirty_count; ++i) holds = holds && dirty[i].w >= 0.0 && distance(p, dirty[i].xyz) > dirty[i].w;
-        float angle = length(normalize(p - frame.eye_near.xyz) - normalize(p - history_eye));
-        float before = old.a - 1.0;
-        float weight = min(max(max(before / (1.0 + before), least_weight), kFadePerRadian * angle), 1.0);
-        source = holds ? vec4(old.rgb * (1.0 - weight), 1.0 + weight) : source;
-    }
+#if HISTORY != 0
+#if HISTORY == 1
+    vec3 p = froxel_middle(froxel);
+    vec4 old = reprojected(p);
+    float faded = kFadePerRadian * length(normalize(p - frame.eye_near.xyz) - normalize(p - history_eye));
+#else
+    vec4 old = imageLoad(history_froxels, froxel);
+    float faded = 0.0;
+#endif
+    bool holds = seen && old.a >= 1.0;
+    for (int i = 0; i < dirty_count; ++i)
+        holds = holds && dirty[i].w >= 0.0 && distance(froxel_middle(froxel), dirty[i].xyz) > dirty[i].w;
+    float before = old.a - 1.0;
+    float weight = min(max(max(before / (1.0 + before), least_weight), faded), 1.0);
+    source = holds ? vec4(old.rgb * (1.0 - weight), 1.0 + weight) : source;
+#endif
     imageStore(froxel_source, froxel, source);
+}
+
+void main() {
+    ivec3 first = ivec3(gl_GlobalInvocationID) * ivec3(1, 1, kSlicesAThread);
+    if (any(greaterThanEqual(first, froxel_size))) return;
+    int count = min(kSlicesAThread, froxel_size.z - first.z);
+    for (int k = 0; k < count; ++k) begin(first + ivec3(0, 0, k));
 }

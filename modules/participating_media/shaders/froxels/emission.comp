@@ -7,17 +7,33 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f) uniform image3D froxel_source;
 uniform uint glowing_media;  // a bit each
 
-void main() {
-    ivec3 froxel = ivec3(gl_GlobalInvocationID);
-    if (any(greaterThanEqual(froxel, froxel_size))) return;
-    vec4 source = imageLoad(froxel_source, froxel);
-    int count = source.a <= 0.0 ? 0 : source.a >= 2.0 ? samples_alone : samples;
+// Mean radiance per metre that the stretch gives off.
+vec3 source(FroxelRay ray, vec2 stretch, float along) {
     vec3 sum = vec3(0.0);
-    for (int k = 0; k < count; ++k) {
-        FroxelSample s = froxel_sample(froxel, k, count);
-        for (int i = 0; i < media_count; ++i)
-            sum += (glowing_media >> uint(i) & 1u) == 0u ? vec3(0.0) : media[i].emission_even.rgb * sample_density(i, s);
+    for (int i = 0; i < media_count; ++i) {
+        float t0 = stretch.x, t1 = stretch.y;
+        bool inside = (glowing_media >> uint(i) & 1u) != 0u && clip_to_medium(i, ray.origin, ray.direction, t0, t1);
+        float share = inside ? (t1 - t0) / (stretch.y - stretch.x) : 0.0;
+        sum += inside ? share * medium_density(i, ray.origin + mix(t0, t1, along) * ray.direction) * media[i].emission_even.rgb : vec3(0.0);
     }
-    source.rgb += (source.a - 1.0) * sum / float(max(count, 1));
-    imageStore(froxel_source, froxel, source);
+    return sum;
+}
+
+void main() {
+    ivec3 first = ivec3(gl_GlobalInvocationID) * ivec3(1, 1, kSlicesAThread);
+    if (any(greaterThanEqual(first, froxel_size))) return;
+    int slices = min(kSlicesAThread, froxel_size.z - first.z);
+    vec4 column = imageLoad(froxel_columns, first.xy);
+    float dither = froxel_dither(first);
+    FroxelRay ray = froxel_ray(first, column, 0), far = froxel_ray(column.yz, column.x);
+    float z0 = froxel_depth(float(first.z) / float(froxel_size.z));
+    for (int k = 0; k < slices; ++k) {
+        ivec3 index = first + ivec3(0, 0, k);
+        float z1 = froxel_end(z0);
+        if (z0 > ray.surface) ray = far;
+        vec4 froxel = imageLoad(froxel_source, index);
+        froxel.rgb += max(froxel.a - 1.0, 0.0) * source(ray, froxel_stretch(ray, z0, z1), froxel_along(dither, k, 0, 1));
+        imageStore(froxel_source, index, froxel);
+        z0 = z1;
+    }
 }

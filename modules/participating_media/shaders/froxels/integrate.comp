@@ -20,7 +20,7 @@ void main() {
     vec3 radiance = vec3(0.0), before = media_transmittance(origin, direction, 0.0, t);
     imageStore(froxel_radiance, ivec3(column, 0), vec4(radiance, dot(before, vec3(1.0 / 3.0))));
     for (int k = 0; k < froxel_size.z; ++k) {
-        float next = froxel_depth(float(k + 1) / float(froxel_size.z)) * slope;
+        float next = t + froxel_step * (t + (froxel_depths.y - froxel_depths.x) * slope);
         vec3 depth = media_optical_depth(origin, direction, t, next, 1);
         radiance += before * imageLoad(froxel_source, ivec3(column, k)).rgb * mean_transmittance(depth) * (next - t);
         before *= exp(-depth);

@@ -1,45 +1,57 @@
 // Places in a froxel at which light is looked at.
 //
-// All of them can be seen: each lies on the ray of one of the column's pixels and in front of that pixel's surface. Where
-// the surface is before the froxel, the column's farthest pixel takes its place, and where that is too (the froxel is there for
-// a neighbour's sake), the place is just in front of its surface. So nothing behind a wall is seen through it, however thin.
+// All of them can be seen: each lies on the ray of one of the column's pixels and in front of that pixel's surface. For
+// froxels behind that surface the ray of the column's farthest pixel takes its place, and where its surface is before them too
+// (they are there for a neighbour's sake), the place is just in front of it. So nothing behind a wall is seen, however thin.
 #include "participating_media/froxels/grid.glsl"
 #include "physics/sequences.glsl"
 
 uniform sampler2D scene_depth;
-uniform sampler2D blue_noise;
-uniform sampler2D froxel_columns;  // columns.comp
-uniform int samples;               // of a froxel
-uniform int samples_alone;         // of one without history
-uniform int first_sample;          // of this frame, in the sequence; advances from frame to frame
+layout(r32f) readonly uniform image2D blue_noise;
+layout(rgba32f) readonly uniform image2D froxel_columns;  // columns.comp
+uniform int samples;        // of a froxel
+uniform int samples_alone;  // of one without history
+uniform int once;           // 1: a loop that may be left out, where compilers would make a branch of a known bound
+uniform int first_sample;   // of this frame, in the sequence; advances from frame to frame
 
-struct FroxelSample {
+// A ray through a column, and how far one sees along it.
+struct FroxelRay {
     vec3 origin;
-    vec3 direction;  // unit, from the eye
-    float t0, t1;    // metres from the eye: what the sample stands for
-    float t;         // and where it is
+    vec3 direction;  // unit
+    float slope;     // metres along the ray for one along the eye's axis
+    float surface;   // metres along the eye's axis
 };
 
-float froxel_dither(ivec3 froxel, ivec2 offset) { return texelFetch(blue_noise, (froxel.xy + froxel.z * ivec2(23, 41) + offset) & 63, 0).r; }
-
-FroxelSample froxel_sample(ivec3 froxel, int i, int count) {
-    uint index = uint(first_sample + i);
-    vec2 within = fract(r2_sequence(index) + vec2(froxel_dither(froxel, ivec2(37, 11)), froxel_dither(froxel, ivec2(13, 29))));
-    float along = fract(golden_ratio_sequence(index / uint(count)) + froxel_dither(froxel, ivec2(0)));
-    along = (float(i) + along) / float(count);
-    float z0 = froxel_depth(float(froxel.z) / float(froxel_size.z));
-    float z1 = froxel_depth(float(froxel.z + 1) / float(froxel_size.z));
-    ivec2 low = froxel_pixel(froxel.xy);
-    ivec2 pixel = min(low + ivec2(within * vec2(froxel_pixel(froxel.xy + 1) - low)), ivec2(frame.size_time.xy) - 1);
-    float depth = texelFetch(scene_depth, pixel, 0).r;
-    float surface = depth > 0.0 ? view_depth(depth) : 1e30;
-    vec2 uv = (vec2(pixel) + 0.5) / frame.size_time.xy;
-    vec4 column = texelFetch(froxel_columns, froxel.xy, 0);
-    uv = surface < z0 ? column.yz : uv;
-    surface = surface < z0 ? column.x : surface;
-    z0 = max(min(z0, surface - 0.25 * (z1 - z0)), 0.0);
-    z1 = min(z1, surface);
+FroxelRay froxel_ray(vec2 uv, float surface) {
     vec3 to_plane = eye_ray_to_plane(uv);
     float slope = length(to_plane);
-    return FroxelSample(frame.eye_near.xyz, to_plane / slope, z0 * slope, z1 * slope, mix(z0, z1, along) * slope);
+    return FroxelRay(frame.eye_near.xyz, to_plane / slope, slope, surface);
 }
+
+// Sample i of a thread's rays.
+FroxelRay froxel_ray(ivec3 first, vec4 column, int i) {
+    uint hash = hash_pcg(uint(first.x + 2048 * (first.y + 2048 * first.z)));
+    vec2 within = fract(r2_sequence(uint(first_sample + i)) + vec2(hash & 0xffffu, hash >> 16u) / 65536.0);
+    ivec2 low = froxel_pixel(first.xy);
+    ivec2 pixel = min(low + ivec2(within * vec2(froxel_pixel(first.xy + 1) - low)), ivec2(frame.size_time.xy) - 1);
+    float surface = 1e30;
+    for (int k = 0; k < (column.w < froxel_depths.w ? once : 0); ++k) {
+        float depth = texelFetch(scene_depth, pixel, 0).r;
+        surface = depth > 0.0 ? view_depth(depth) : 1e30;
+    }
+    return froxel_ray((vec2(pixel) + 0.5) / frame.size_time.xy, surface);
+}
+
+// Where in its slice a sample is, 0..1, before it shares the slice with others.
+float froxel_dither(ivec3 first) {
+    float mask = imageLoad(blue_noise, (first.xy + first.z * ivec2(23, 41)) & 63).r;
+    return mask + golden_ratio_sequence(uint(first_sample));
+}
+float froxel_along(float dither, int slice, int i, int count) { return (float(i) + fract(dither + 0.61803399 * float(slice))) / float(count); }
+
+// The part of a ray, in metres from the eye, that stands for the slice between the depths z0 and z1.
+vec2 froxel_stretch(FroxelRay ray, float z0, float z1) {
+    return vec2(max(min(z0, ray.surface - 0.25 * (z1 - z0)), 0.0), min(z1, ray.surface)) * ray.slope;
+}
+
+int froxel_samples(float alpha) { return alpha <= 0.0 ? 0 : alpha >= 2.0 ? samples_alone : samples; }

@@ -22,16 +22,3 @@ vec3 medium_phase(int medium, float u) {
 #endif
     return vec3(phase_evaluate(phase_kind_of(medium), media[medium].phase_parameters, u));
 }
-
-// The share of medium i that a place has; for even media the share of the sample's stretch that lies inside.
-float sample_density(int i, FroxelSample s) {
-    float t0 = s.t0, t1 = s.t1;
-    bool inside = clip_to_medium(i, s.origin, s.direction, t0, t1);
-    float share = inside ? (t1 - t0) / max(s.t1 - s.t0, 1e-6) : 0.0;
-#ifdef EVEN_MEDIA
-    return share;
-#else
-    vec3 p = s.origin + clamp(s.t, t0, max(t0, t1)) * s.direction;
-    return share > 0.0 ? share * medium_density(i, p) : 0.0;
-#endif
-}
