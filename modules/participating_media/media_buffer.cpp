@@ -100,6 +100,7 @@ const std::vector<Medium>& MediaBuffer::update(const RenderScene& scene, bool en
         add(blocks, medium, box, scene.time_s);
     }
     plan_.update(scene, media_);
+    if (!media_.empty() && has_environment(scene)) environment_.update(scene, media_);
     textures_.update(media_);
     for (size_t i = 0; i < media_.size(); ++i)
         if (const auto* grid = std::get_if<GridDensity>(&media_[i].density); grid && grid->volume)

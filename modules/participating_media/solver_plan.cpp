@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/log.h"
+#include "environment.h"
 #include "froxels/froxel_pass.h"
 
 namespace tyndall::participating_media {
@@ -50,9 +51,11 @@ void SolverPlan::update(const RenderScene& scene, const std::vector<Medium>& med
     const auto add = [&](const Term& term) {
         terms_[static_cast<size_t>(choose(scene, media[term.medium], term))].push_back(term);
     };
+    const bool environment = !media.empty() && has_environment(scene);
     for (size_t medium = 0; medium < media.size(); ++medium) {
         if (media[medium].sigma_s_per_m != glm::vec3(0.0f))
             for (size_t light = 0; light < scene.lights.size(); ++light) add({Term::Source::light, light, medium});
+        if (environment && media[medium].sigma_s_per_m != glm::vec3(0.0f)) add({Term::Source::environment, 0, medium});
         if (media[medium].emission_cd_m2_per_m != glm::vec3(0.0f)) add({Term::Source::emission, 0, medium});
     }
 }

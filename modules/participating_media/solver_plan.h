@@ -19,7 +19,7 @@ inline constexpr size_t kSolverCount = 2;
 
 /// One part of the sum.
 struct Term {
-    enum class Source { light, emission } source = Source::light;
+    enum class Source { light, emission, environment } source = Source::light;
     size_t light = 0;   ///< of RenderScene::lights; only of Source::light
     size_t medium = 0;  ///< of MediaBuffer::media()
 };

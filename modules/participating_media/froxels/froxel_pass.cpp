@@ -53,7 +53,8 @@ void FroxelPass::execute(PassContext& context) {
     find_columns(context);
     begin_sources(context);
     add_lights(context);
-    add_emission(context);
+    add_glow(context, Term::Source::emission);
+    add_glow(context, Term::Source::environment);
     integrate(context);
     apply(context);
 }
@@ -153,14 +154,16 @@ void FroxelPass::add_light(PassContext& context, size_t light, unsigned media_bi
     dispatch(box.size);
 }
 
-void FroxelPass::add_emission(PassContext& context) {
+void FroxelPass::add_glow(PassContext& context, Term::Source source) {
     unsigned bits = 0;
     for (const Term& term : terms())
-        if (term.source == Term::Source::emission) bits |= 1u << term.medium;
+        if (term.source == source) bits |= 1u << term.medium;
     if (bits == 0) return;
-    const gpu::Program& program = compute(context, "emission", media_defines());
+    const bool own = source == Term::Source::emission;
+    const gpu::Program& program = compute(context, own ? "emission" : "environment", media_defines());
+    if (!own) media_->environment().bind(program);
     bind_samples(program, context);
-    program.set("glowing_media", bits);
+    program.set(own ? "glowing_media" : "lit_media", bits);
     dispatch(volume_->grid.size);
 }
 

@@ -35,7 +35,8 @@ class FroxelPass final : public Pass {
     void begin_sources(PassContext& context);
     void add_lights(PassContext& context);
     void add_light(PassContext& context, size_t light, unsigned media_bits);
-    void add_emission(PassContext& context);
+    /// What lights a medium evenly: its own emission, or light from all around.
+    void add_glow(PassContext& context, Term::Source source);
     void integrate(PassContext& context);
     void apply(PassContext& context);
     /// Sets what sample.glsl and scattering.glsl declare.
