@@ -30,8 +30,9 @@ class ParticipatingMedia final : public Module {
                                              .include = "participating_media/segment.glsl",
                                              .function = "participating_media_segment",
                                              .reads = {"media_in_scatter"},
-                                             .bind = [bind_media](const gpu::Program& program, PassContext& context) {
+                                             .bind = [bind_media, froxels](const gpu::Program& program, PassContext& context) {
                                                  bind_media(program, context);
+                                                 froxels->bind(program);
                                                  program.texture("media_in_scatter",
                                                                  context.texture("media_in_scatter"),
                                                                  {.filter = gpu::Filter::nearest});

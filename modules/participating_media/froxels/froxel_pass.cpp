@@ -3,8 +3,6 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "media_textures.h"
 #include "render/frame.h"
 #include "render/seams.h"
@@ -109,58 +107,34 @@ void FroxelPass::bind_samples(const gpu::Program& program, PassContext& context)
     program.set("first_sample", keeps_history() ? static_cast<int>(context.frame().scene.frame % 4096) * alone : 0);
 }
 
-std::vector<std::string> FroxelPass::media_defines() const {
-    std::vector<std::string> defines;
-    const PhaseKind kind = media_->media()[terms().front().medium].phase.kind;
-    if (std::ranges::all_of(terms(), [&](const Term& t) { return media_->media()[t.medium].phase.kind == kind; }))
-        defines.push_back(fmt::format("PHASE_KIND {}", static_cast<int>(kind)));
-    if (media_->media().size() == 1) defines.emplace_back("ONE_MEDIUM");
-    if (media_->even()) defines.emplace_back("EVEN_MEDIA");
-    return defines;
-}
-
-LightPrograms& FroxelPass::light_programs() {
-    std::vector<std::string> defines = media_defines();
-    const std::string key = fmt::format("{}", fmt::join(defines, ","));
-    if (const auto known = light_programs_.find(key); known != light_programs_.end()) return known->second;
-    return light_programs_
-        .try_emplace(key, gpu::ProgramDesc{.name = "participating_media.froxels.light",
-                                           .compute = "participating_media/froxels/light.comp",
-                                           .defines = std::move(defines)})
-        .first->second;
-}
-
 void FroxelPass::add_lights(PassContext& context) {
-    std::vector<unsigned> bits(context.frame().scene.lights.size(), 0);
-    for (const Term& term : terms())
-        if (term.source == Term::Source::light) bits[term.light] |= 1u << term.medium;
-    light_programs().begin();
-    for (size_t light = 0; light < bits.size(); ++light)
-        if (bits[light] != 0) add_light(context, light, bits[light]);
+    LightPrograms& programs = light_programs_.with(media_defines(*media_, terms()));
+    programs.begin();
+    for (size_t light = 0; light < context.frame().scene.lights.size(); ++light)
+        if (const unsigned bits = media_bits(terms(), Term::Source::light, light); bits != 0)
+            add_light(context, programs, light, bits);
 }
 
-void FroxelPass::add_light(PassContext& context, size_t light, unsigned media_bits) {
+void FroxelPass::add_light(PassContext& context, LightPrograms& programs, size_t light, unsigned bits) {
     Frame& frame = context.frame();
     const FroxelBox box = light_box(volume_->grid, frame.scene.lights[light], frame.block);
     if (box.empty()) return;
-    const gpu::Program& program = light_programs().use(frame, light, [&](const gpu::Program& fresh) {
+    const gpu::Program& program = programs.use(frame, light, [&](const gpu::Program& fresh) {
         frame.seams.bind(Seam::light_transmittance, fresh, context);
         bind_samples(fresh, context);
     });
     program.set("light_index", static_cast<unsigned>(light));
-    program.set("light_media", media_bits);
+    program.set("light_media", bits);
     program.set("box_low", box.low);
     program.set("box_size", box.size);
     dispatch(box.size);
 }
 
 void FroxelPass::add_glow(PassContext& context, Term::Source source) {
-    unsigned bits = 0;
-    for (const Term& term : terms())
-        if (term.source == source) bits |= 1u << term.medium;
+    const unsigned bits = media_bits(terms(), source);
     if (bits == 0) return;
     const bool own = source == Term::Source::emission;
-    const gpu::Program& program = compute(context, own ? "emission" : "environment", media_defines());
+    const gpu::Program& program = compute(context, own ? "emission" : "environment", media_defines(*media_, terms()));
     if (!own) media_->environment().bind(program);
     bind_samples(program, context);
     program.set(own ? "glowing_media" : "lit_media", bits);
@@ -168,7 +142,7 @@ void FroxelPass::add_glow(PassContext& context, Term::Source source) {
 }
 
 void FroxelPass::integrate(PassContext& context) {
-    const gpu::Program& program = compute(context, "integrate", media_defines());
+    const gpu::Program& program = compute(context, "integrate", media_defines(*media_, terms()));
     volume_->bind_grid(program);
     media_->bind(program, settings_.light_steps);
     program.image("froxel_source", volume_->source[volume_->now], 0, false);
@@ -189,6 +163,7 @@ void FroxelPass::apply(PassContext& context) {
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);  // the distance stays
     gpu::draw_fullscreen();
+    beyond_.draw(context, *media_, *volume_, settings_.light_steps);
     glDisable(GL_BLEND);
 }
 

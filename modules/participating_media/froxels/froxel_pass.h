@@ -2,11 +2,11 @@
 /// The solver froxels: single scattering in a view-aligned grid (Hillaire, "Physically Based and Unified Volumetric
 /// Rendering in Frostbite", 2015; Wronski 2014).
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "froxels/froxel_beyond.h"
 #include "froxels/froxel_history.h"
 #include "froxels/froxel_volume.h"
 #include "media_buffer.h"
@@ -34,16 +34,13 @@ class FroxelPass final : public Pass {
     void find_columns(PassContext& context);
     void begin_sources(PassContext& context);
     void add_lights(PassContext& context);
-    void add_light(PassContext& context, size_t light, unsigned media_bits);
+    void add_light(PassContext& context, LightPrograms& programs, size_t light, unsigned bits);
     /// What lights a medium evenly: its own emission, or light from all around.
     void add_glow(PassContext& context, Term::Source source);
     void integrate(PassContext& context);
     void apply(PassContext& context);
     /// Sets what sample.glsl and scattering.glsl declare.
     void bind_samples(const gpu::Program& program, PassContext& context) const;
-    [[nodiscard]] LightPrograms& light_programs();
-    /// The program's defines for the frame's media.
-    [[nodiscard]] std::vector<std::string> media_defines() const;
     void dispatch(const glm::ivec3& froxels) const;
     [[nodiscard]] bool keeps_history() const { return settings_.froxels.history && !settings_.froxels.reference; }
 
@@ -52,7 +49,9 @@ class FroxelPass final : public Pass {
     const MediaSettings& settings_;
     FroxelHistory history_;
     gpu::Texture blue_noise_;
-    std::map<std::string, LightPrograms> light_programs_;  ///< by their defines
+    LightProgramSet light_programs_{
+        {.name = "participating_media.froxels.light", .compute = "participating_media/froxels/light.comp"}};
+    FroxelBeyond beyond_;
 };
 
 }  // namespace tyndall::participating_media

@@ -37,8 +37,14 @@ void FroxelVolume::bind_grid(const gpu::Program& program) const {
     program.set("froxel_step", std::exp(grid.growth / static_cast<float>(grid.size.z)) - 1.0f);
 }
 
-void FroxelVolume::bind(const gpu::Program& program) const {
+void FroxelVolume::bind(const gpu::Program& program) {
+    if (radiance.name() == 0) {  // programs want something bound
+        radiance = volume(glm::ivec3(1), "participating_media.froxel_radiance");
+        columns = gpu::Texture({.format = kFormat}, "participating_media.froxel_columns");
+    }
     bind_grid(program);
+    program.set("media_once", 1);
+    program.set("froxels_active", active ? 1 : 0);
     program.texture("froxel_radiance", radiance, {.filter = gpu::Filter::nearest});
     program.texture("froxel_columns", columns, {.filter = gpu::Filter::nearest});
 }
