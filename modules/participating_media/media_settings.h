@@ -15,7 +15,7 @@ struct FroxelSettings {
     float range_m = 128.0f;
     float even_m = 8.0f;
     int32_t samples = 1;
-    int32_t samples_alone = 4;
+    int32_t samples_alone = 8;
     bool history = true;
     bool reference = false;
 };

@@ -104,7 +104,7 @@ void FroxelPass::bind_samples(const gpu::Program& program, PassContext& context)
     program.set("once", 1);
     program.set("samples", settings.samples);
     program.set("samples_alone", alone);
-    program.set("first_sample", keeps_history() ? static_cast<int>(context.frame().scene.frame % 4096) * alone : 0);
+    program.set("first_sample", keeps_history() ? static_cast<int>(context.frame().scene.frame % 4096) * settings.samples : 0);
 }
 
 void FroxelPass::add_lights(PassContext& context) {

@@ -21,7 +21,7 @@ bool FroxelVolume::make(bool history) {
     if (fits && (source[1].name() != 0) == history) return false;
     const gpu::TextureDesc flat{.format = kFormat, .width = grid.size.x, .height = grid.size.y};
     gpu::TextureDesc single = flat;
-    single.format = gpu::Format::r32f;
+    single.format = gpu::Format::rg32f;
     columns = gpu::Texture(flat, "participating_media.froxel_columns");
     reach = gpu::Texture(single, "participating_media.froxel_reach");
     source[0] = volume(grid.size, "participating_media.froxel_source");

@@ -32,7 +32,7 @@ void main() {
         float z1 = froxel_end(z0);
         if (z0 > ray.surface) ray = far;
         vec4 froxel = imageLoad(froxel_source, index);
-        froxel.rgb += max(froxel.a - 1.0, 0.0) * source(ray, froxel_stretch(ray, z0, z1), froxel_along(dither, k, 0, 1));
+        froxel.rgb += froxel_weight(froxel.a) * source(ray, froxel_stretch(ray, z0, z1), froxel_along(dither, k, 0, 1));
         imageStore(froxel_source, index, froxel);
         z0 = z1;
     }

@@ -38,8 +38,8 @@ void main() {
         if (z0 > ray.surface) ray = far;
         vec4 froxel = imageLoad(froxel_source, index);
         vec2 stretch = froxel_stretch(ray, z0, z1);
-        stretch.y = froxel.a > 0.0 ? stretch.y : stretch.x;
-        froxel.rgb += max(froxel.a - 1.0, 0.0) * source(ray, stretch, froxel_along(dither, k, 0, 1));
+        stretch.y = froxel.a != 0.0 ? stretch.y : stretch.x;
+        froxel.rgb += froxel_weight(froxel.a) * source(ray, stretch, froxel_along(dither, k, 0, 1));
         imageStore(froxel_source, index, froxel);
         z0 = z1;
     }

@@ -98,11 +98,11 @@ void main() {
                 ivec3 index = first + ivec3(0, 0, k);
                 float z1 = froxel_end(z0);
                 vec4 froxel = imageLoad(froxel_source, index);
-                int count = froxel_samples(froxel.a);
+                int count = froxel_samples(froxel_weight(froxel.a));
                 rays = max(rays, count);
                 vec2 stretch = froxel_stretch(ray, z0, z1);
                 stretch.y = i < count ? stretch.y : 0.0;
-                froxel.rgb += (froxel.a - 1.0) / float(max(count, 1)) * source(lit, stretch, froxel_along(dither, k, i, count));
+                froxel.rgb += froxel_weight(froxel.a) / float(max(count, 1)) * source(lit, stretch, froxel_along(dither, k, i, count));
                 imageStore(froxel_source, index, froxel);
                 z0 = z1;
             }

@@ -28,10 +28,11 @@ FroxelRay froxel_ray(vec2 uv, float surface) {
     return FroxelRay(frame.eye_near.xyz, to_plane / slope, slope, surface);
 }
 
+float froxel_mask(ivec3 first, ivec2 offset) { return imageLoad(blue_noise, (first.xy + first.z * ivec2(23, 41) + offset) & 63).r; }
+
 // Sample i of a thread's rays.
 FroxelRay froxel_ray(ivec3 first, vec4 column, int i) {
-    uint hash = hash_pcg(uint(first.x + 2048 * (first.y + 2048 * first.z)));
-    vec2 within = fract(r2_sequence(uint(first_sample + i)) + vec2(hash & 0xffffu, hash >> 16u) / 65536.0);
+    vec2 within = fract(r2_sequence(uint(first_sample + i)) + vec2(froxel_mask(first, ivec2(37, 11)), froxel_mask(first, ivec2(13, 29))));
     ivec2 low = froxel_pixel(first.xy);
     ivec2 pixel = min(low + ivec2(within * vec2(froxel_pixel(first.xy + 1) - low)), ivec2(frame.size_time.xy) - 1);
     float surface = 1e30;
@@ -44,8 +45,7 @@ FroxelRay froxel_ray(ivec3 first, vec4 column, int i) {
 
 // Where in its slice a sample is, 0..1, before it shares the slice with others.
 float froxel_dither(ivec3 first) {
-    float mask = imageLoad(blue_noise, (first.xy + first.z * ivec2(23, 41)) & 63).r;
-    return mask + golden_ratio_sequence(uint(first_sample));
+    return froxel_mask(first, ivec2(0)) + golden_ratio_sequence(uint(first_sample));
 }
 float froxel_along(float dither, int slice, int i, int count) { return (float(i) + fract(dither + 0.61803399 * float(slice))) / float(count); }
 
@@ -54,4 +54,6 @@ vec2 froxel_stretch(FroxelRay ray, float z0, float z1) {
     return vec2(max(min(z0, ray.surface - 0.25 * (z1 - z0)), 0.0), min(z1, ray.surface)) * ray.slope;
 }
 
-int froxel_samples(float alpha) { return alpha <= 0.0 ? 0 : alpha >= 2.0 ? samples_alone : samples; }
+// The more of a froxel's light is this frame's, the more places are looked at.
+float froxel_weight(float alpha) { return max(abs(alpha) - 1.0, 0.0); }
+int froxel_samples(float weight) { return weight <= 0.0 ? 0 : max(samples, int(ceil(float(samples_alone) * weight))); }
