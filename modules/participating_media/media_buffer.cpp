@@ -155,6 +155,7 @@ const std::vector<Medium>& MediaBuffer::update(const RenderScene& scene, bool en
     even_ = true;
     for (const Medium* medium : shown) add(blocks, *medium, medium_box(*medium, scene), scene.time_s);
     plan_.update(scene, media_);
+    if (!media_.empty() && has_environment(scene)) environment_.update(scene, media_);
     const std::string_view media_bytes(reinterpret_cast<const char*>(blocks.media.data()),
                                        media_.size() * sizeof(GpuMedium));
     const std::string_view blob_bytes(reinterpret_cast<const char*>(&blocks.blobs), sizeof(blocks.blobs));

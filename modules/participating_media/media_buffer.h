@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "environment.h"
 #include "gpu/gpu.h"
 #include "media_textures.h"
 #include "scene/render_scene.h"
@@ -25,6 +26,10 @@ class MediaBuffer {
     const std::vector<Medium>& update(const RenderScene& scene, bool enabled);
     [[nodiscard]] const std::vector<Medium>& media() const { return media_; }
     [[nodiscard]] const SolverPlan& plan() const { return plan_; }
+    /// Light from all around; up to date when the plan has a term of it.
+    [[nodiscard]] const EnvironmentLight& environment() const { return environment_; }
+    /// Changes when something that is uploaded of the media does.
+    [[nodiscard]] const std::string& bytes() const { return uploaded_; }
     /// No density varies.
     [[nodiscard]] bool even() const { return even_; }
     /// Sets all that media.glsl declares; `light_steps` are samples through noise and grids.
@@ -45,6 +50,7 @@ class MediaBuffer {
     MediaTextures textures_;
     std::vector<Medium> media_;
     SolverPlan plan_;
+    EnvironmentLight environment_;
     bool even_ = true;
     std::string uploaded_;  ///< the buffers' bytes
     std::set<std::string, std::less<>> warned_;

@@ -74,7 +74,8 @@ inline void describe(StructBuilder<EpipolarSettings>& d) {
             "Relative change of the distance between two samples that counts as a break.")
         .range(0.0, 10.0);
     d.field("tree", &EpipolarSettings::tree, "Off: walks along the shadow map texel by texel. Same picture, slower.");
-    d.field("brute_force", &EpipolarSettings::brute_force, "Marches every pixel instead: the reference of this solver.");
+    d.field("brute_force", &EpipolarSettings::brute_force,
+            "Marches every pixel instead: the reference of this solver.");
 }
 
 /// Screen-space god rays.
@@ -96,6 +97,42 @@ inline void describe(StructBuilder<GodRaysSettings>& d) {
         .range(1e-3, 1.0);
 }
 
+/// "froxels": { ... }: the view-aligned grid (froxels/froxel_pass.h).
+struct FroxelSettings {
+    int32_t width = 160;
+    int32_t height = 90;
+    int32_t depth = 64;
+    float range_m = 128.0f;
+    float even_m = 8.0f;
+    int32_t samples = 1;
+    int32_t samples_alone = 8;
+    bool history = true;
+    bool reference = false;
+};
+
+inline void describe(StructBuilder<FroxelSettings>& d) {
+    d.doc("The froxels: a grid of places in front of the camera, in which light is gathered.");
+    d.field("width", &FroxelSettings::width, "Froxels across the picture.").range(1, 1024);
+    d.field("height", &FroxelSettings::height, "Froxels up the picture.").range(1, 1024);
+    d.field("depth", &FroxelSettings::depth, "Froxels along the view, between the media's nearest and farthest place.")
+        .range(1, 512);
+    d.field("range_m", &FroxelSettings::range_m,
+            "The grid ends here at the latest; what lies beyond is integrated in closed form, a few pieces a pixel.")
+        .unit("m")
+        .range(0.1, 1e5);
+    d.field("even_m", &FroxelSettings::even_m,
+            "Up to about here froxels are of like depth; beyond, their depth grows with distance.")
+        .unit("m")
+        .range(0.01, 1e5);
+    d.field("samples", &FroxelSettings::samples, "Places looked at in a froxel, a frame.").range(1, 64);
+    d.field("samples_alone", &FroxelSettings::samples_alone, "The same in a froxel that has no history.").range(1, 64);
+    d.field(
+        "history", &FroxelSettings::history,
+        "Averages over frames, where nothing changed. Off: every frame stands for itself and its pattern is still.");
+    d.field("reference", &FroxelSettings::reference,
+            "Brute force: a froxel for every 2x2 pixels, four times the depth, 16 samples, no history.");
+}
+
 /// "render": { "participating_media": { ... } } of a scene. What stands at this level is the ray march's.
 struct MediaSettings {
     static constexpr std::string_view kName = "participating_media";
@@ -109,6 +146,7 @@ struct MediaSettings {
     LightVolumesSettings light_volumes;
     EpipolarSettings epipolar;
     GodRaysSettings god_rays;
+    FroxelSettings froxels;
 };
 
 inline void describe(StructBuilder<MediaSettings>& d) {
@@ -130,6 +168,7 @@ inline void describe(StructBuilder<MediaSettings>& d) {
     d.field("light_volumes", &MediaSettings::light_volumes, "Of the solver light_volumes.");
     d.field("epipolar", &MediaSettings::epipolar, "Of the solver epipolar.");
     d.field("god_rays", &MediaSettings::god_rays, "Of the solver god_rays.");
+    d.field("froxels", &MediaSettings::froxels, "Of the solver froxels.");
 }
 
 }  // namespace tyndall::participating_media

@@ -8,6 +8,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "media_buffer.h"
+#include "physics/blue_noise.h"
 
 namespace tyndall::participating_media {
 namespace {
@@ -70,6 +71,15 @@ bool fits(const glm::ivec3& size) {
 }
 
 }  // namespace
+
+gpu::Texture make_blue_noise() {
+    const std::vector<float> mask = physics::blue_noise_mask();
+    gpu::Texture texture(
+        {.format = gpu::Format::r32f, .width = physics::kBlueNoiseSize, .height = physics::kBlueNoiseSize},
+        "participating_media.blue_noise");
+    texture.upload(0, 0, mask.data());
+    return texture;
+}
 
 std::string MediaTextures::update(const std::vector<const Medium*>& media) {
     Volumes volumes, held;

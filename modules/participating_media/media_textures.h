@@ -16,6 +16,9 @@ namespace tyndall::participating_media {
 /// All grids' voxels together are at most so many bytes on the GPU; larger ones are halved until they fit.
 inline constexpr int64_t kMostGridBytes = int64_t{1} << 30;
 
+/// The mask physics::blue_noise_mask() as a texture.
+[[nodiscard]] gpu::Texture make_blue_noise();
+
 /// Keeps the textures until other grids or tables are asked for.
 class MediaTextures {
  public:

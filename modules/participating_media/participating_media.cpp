@@ -2,6 +2,7 @@
 
 #include "analytic/analytic_pass.h"
 #include "epipolar/epipolar_pass.h"
+#include "froxels/froxel_pass.h"
 #include "god_rays/god_rays_pass.h"
 #include "light_volumes/light_volumes_pass.h"
 #include "march/march_pass.h"
@@ -23,6 +24,8 @@ class ParticipatingMedia final : public Module {
         registrar.pass(std::make_unique<LightVolumesPass>(media, settings));
         registrar.pass(std::make_unique<EpipolarPass>(media, settings));
         registrar.pass(std::make_unique<GodRaysPass>(media, settings));
+        const auto froxels = std::make_shared<FroxelVolume>();
+        registrar.pass(std::make_unique<FroxelPass>(media, froxels, settings));
         const auto bind_media = [media, &settings](const gpu::Program& program, PassContext& context) {
             media->update(context.frame().scene, settings.enabled);
             media->bind(program, settings.light_steps);
@@ -31,16 +34,17 @@ class ParticipatingMedia final : public Module {
                                                    .include = "participating_media/transmittance.glsl",
                                                    .function = "participating_media_transmittance",
                                                    .bind = bind_media});
-        registrar.seam(Seam::media_segment, {.name = "participating_media",
-                                             .include = "participating_media/segment.glsl",
-                                             .function = "participating_media_segment",
-                                             .reads = {"media_in_scatter"},
-                                             .bind = [bind_media](const gpu::Program& program, PassContext& context) {
-                                                 bind_media(program, context);
-                                                 program.texture("media_in_scatter",
-                                                                 context.texture("media_in_scatter"),
-                                                                 {.filter = gpu::Filter::nearest});
-                                             }});
+        registrar.seam(Seam::media_segment,
+                       {.name = "participating_media",
+                        .include = "participating_media/segment.glsl",
+                        .function = "participating_media_segment",
+                        .reads = {"media_in_scatter"},
+                        .bind = [bind_media, froxels](const gpu::Program& program, PassContext& context) {
+                            bind_media(program, context);
+                            froxels->bind(program);
+                            program.texture("media_in_scatter", context.texture("media_in_scatter"),
+                                            {.filter = gpu::Filter::nearest});
+                        }});
     }
 };
 

@@ -7,7 +7,9 @@
 
 #include "analytic/analytic_pass.h"
 #include "core/log.h"
+#include "environment.h"
 #include "epipolar/epipolar_pass.h"
+#include "froxels/froxel_pass.h"
 #include "god_rays/god_rays_pass.h"
 #include "light_volumes/light_volumes_pass.h"
 
@@ -27,6 +29,7 @@ std::string can_all(const RenderScene&, const Medium&, const Term&) {
 /// In the order of Solver.
 constexpr std::array<SolverTraits, kSolverCount> kTraits{{
     {"ray_marched", can_all},
+    {"froxels", froxels_cannot},
     {"analytic", analytic_cannot},
     {"light_volumes", light_volumes_cannot},
     {"epipolar", epipolar_cannot},
@@ -59,9 +62,11 @@ void SolverPlan::update(const RenderScene& scene, const std::vector<Medium>& med
     const auto add = [&](const Term& term) {
         terms_[static_cast<size_t>(choose(scene, media[term.medium], term))].push_back(term);
     };
+    const bool environment = !media.empty() && has_environment(scene);
     for (size_t medium = 0; medium < media.size(); ++medium) {
         if (media[medium].sigma_s_per_m != glm::vec3(0.0f))
             for (size_t light = 0; light < scene.lights.size(); ++light) add({Term::Source::light, light, medium});
+        if (environment && media[medium].sigma_s_per_m != glm::vec3(0.0f)) add({Term::Source::environment, 0, medium});
         if (media[medium].emission_cd_m2_per_m != glm::vec3(0.0f) || media[medium].temperature)
             add({Term::Source::emission, 0, medium});
     }

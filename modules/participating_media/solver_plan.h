@@ -12,14 +12,14 @@
 namespace tyndall::participating_media {
 
 /// The solvers by their names in scene files: solver_names().
-enum class Solver { ray_marched, analytic, light_volumes, epipolar, god_rays };
-inline constexpr size_t kSolverCount = 5;
+enum class Solver { ray_marched, froxels, analytic, light_volumes, epipolar, god_rays };
+inline constexpr size_t kSolverCount = 6;
 /// In the order of Solver.
 [[nodiscard]] std::vector<std::string> solver_names();
 
 /// One part of the sum.
 struct Term {
-    enum class Source { light, emission } source = Source::light;
+    enum class Source { light, emission, environment } source = Source::light;
     size_t light = 0;   ///< of RenderScene::lights; only of Source::light
     size_t medium = 0;  ///< of MediaBuffer::media()
 };

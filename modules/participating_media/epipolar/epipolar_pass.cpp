@@ -37,7 +37,7 @@ int power_of_two_below(int value) {
 }  // namespace
 
 std::string epipolar_cannot(const RenderScene& scene, const Medium&, const Term& term) {
-    if (term.source == Term::Source::emission) return "cannot render emission";
+    if (term.source != Term::Source::light) return "renders the light of lamps and suns only";
     if (has_cube(scene.lights[term.light])) return "cannot render point lights and spots wider than 150 degrees";
     return {};
 }
@@ -55,7 +55,9 @@ int EpipolarPass::initial_step() const {
     const int step = power_of_two_below(settings_.epipolar.initial_step);
     return media_->even() ? step : std::min(step, kLongestUneven);
 }
-int EpipolarPass::shadow_samples() const { return power_of_two_below(settings_.epipolar.shadow_samples); }
+int EpipolarPass::shadow_samples() const {
+    return power_of_two_below(settings_.epipolar.shadow_samples);
+}
 int EpipolarPass::samples() const {
     return std::max(settings_.epipolar.samples / initial_step(), 1) * initial_step() + 1;
 }
@@ -170,8 +172,8 @@ const gpu::Program& EpipolarPass::use(PassContext& context, Step step, const Ter
 }
 
 LightPrograms& EpipolarPass::programs(Step step, PhaseKind phase) {
-    static constexpr std::array<std::string_view, 8> kFiles{"slices.comp", "distances.comp", "sources.comp",
-                                                            "tree.comp",   "tree.comp",      "march.comp",
+    static constexpr std::array<std::string_view, 8> kFiles{"slices.comp",      "distances.comp", "sources.comp",
+                                                            "tree.comp",        "tree.comp",      "march.comp",
                                                             "interpolate.comp", "unwarp.frag"};
     const bool looks_at_media = step == Step::march || step == Step::unwarp;
     if (!looks_at_media) phase = PhaseKind{};

@@ -9,7 +9,7 @@
 namespace tyndall::participating_media {
 
 std::string god_rays_cannot(const RenderScene& scene, const Medium& medium, const Term& term) {
-    if (term.source == Term::Source::emission) return "cannot render emission";
+    if (term.source != Term::Source::light) return "renders the light of lamps and suns only";
     if (scene.lights[term.light].kind != LightKind::directional) return "can render directional lights alone";
     if (scene.lights[term.light].gobo) return "cannot render a gobo";
     if (!std::holds_alternative<ConstantDensity>(medium.density)) return "cannot render a density that varies";
@@ -35,15 +35,13 @@ void GodRaysPass::execute(PassContext& context) {
 
 void GodRaysPass::draw_term(PassContext& context, const Term& term) {
     Frame& frame = context.frame();
-    const gpu::Program& program = programs(media_->media()[term.medium].phase.kind)
-                                      .use(frame, term.light, [&](const gpu::Program& fresh) {
-                                          frame.seams.bind(Seam::light_transmittance, fresh, context);
-                                          media_->bind(fresh, settings_.light_steps);
-                                          fresh.texture("phase_tables", media_->phase_tables(),
-                                                        {.filter = gpu::Filter::linear});
-                                          fresh.texture("scene_depth", context.texture("scene_depth"),
-                                                        {.filter = gpu::Filter::nearest});
-                                      });
+    const gpu::Program& program =
+        programs(media_->media()[term.medium].phase.kind).use(frame, term.light, [&](const gpu::Program& fresh) {
+            frame.seams.bind(Seam::light_transmittance, fresh, context);
+            media_->bind(fresh, settings_.light_steps);
+            fresh.texture("phase_tables", media_->phase_tables(), {.filter = gpu::Filter::linear});
+            fresh.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
+        });
     const glm::vec3 to_sun(frame.scene.lights[term.light].transform[2]);
     const glm::vec4 clip = frame.block.view_projection * glm::vec4(to_sun, 0.0f);
     program.set("sun_clip", glm::vec3(clip.x, clip.y, clip.w));

@@ -14,7 +14,8 @@ namespace {
 float reach_of(const ShadowView& view, const Bounds& world) {
     float farthest = 1.0f;
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 p((corner & 1) != 0 ? world.high.x : world.low.x, (corner & 2) != 0 ? world.high.y : world.low.y,
+        const glm::vec3 p((corner & 1) != 0 ? world.high.x : world.low.x,
+                          (corner & 2) != 0 ? world.high.y : world.low.y,
                           (corner & 4) != 0 ? world.high.z : world.low.z);
         farthest = std::max(farthest, axis_distance(view, p));
     }

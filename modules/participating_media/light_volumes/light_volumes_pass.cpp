@@ -32,7 +32,7 @@ Bounds bounds_of(const std::vector<Medium>& media, const RenderScene& scene) {
 }  // namespace
 
 std::string light_volumes_cannot(const RenderScene& scene, const Medium& medium, const Term& term) {
-    if (term.source == Term::Source::emission) return "cannot render emission";
+    if (term.source != Term::Source::light) return "renders the light of lamps and suns only";
     if (!std::holds_alternative<ConstantDensity>(medium.density)) return "cannot render a density that varies";
     if (scene.lights[term.light].gobo) return "cannot render a gobo: its colours change along a ray";
     return {};
@@ -82,8 +82,8 @@ void LightVolumesPass::draw_term(PassContext& context, const Term& term) {
     if (rectangle.empty()) return;
     glScissor(rectangle.low.x, rectangle.low.y, rectangle.size.x, rectangle.size.y);
     targets_.spans_frame.bind();
-    use(context, Step::span, term).texture("scene_depth", context.texture("scene_depth"),
-                                           {.filter = gpu::Filter::nearest});
+    use(context, Step::span, term)
+        .texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
     gpu::draw_fullscreen();
     draw_faces(context, term);
     resolve(context, term);
@@ -109,8 +109,8 @@ void LightVolumesPass::resolve(PassContext& context, const Term& term) {
     const gpu::Program& program = use(context, Step::resolve, term);
     program.texture("spans", targets_.spans, {.filter = gpu::Filter::nearest});
     program.texture("moments", targets_.moments, {.filter = gpu::Filter::nearest});
-    const bool lit = frame.scene.lights[term.light].kind == LightKind::directional ||
-                     !LightMeshes::has_shadows(frame, term.light);
+    const bool lit =
+        frame.scene.lights[term.light].kind == LightKind::directional || !LightMeshes::has_shadows(frame, term.light);
     program.set("unshadowed", lit ? 1.0f : 0.0f);
     const std::vector<glm::vec2> places = gauss_legendre(nodes());
     for (size_t i = 0; i < places.size(); ++i) program.set(fmt::format("nodes[{}]", i), places[i]);
@@ -141,10 +141,11 @@ LightPrograms& LightVolumesPass::programs(Step step, PhaseKind phase) {
     const auto key = std::tuple(step, phase, one, media_->even(), terms());
     if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
     const std::string_view fragment = kFragments[static_cast<size_t>(step)];
-    gpu::ProgramDesc desc{.name = fmt::format("participating_media.light_volumes_{}", fragment),
-                          .fragment = fmt::format("participating_media/light_volumes/{}.frag", fragment),
-                          .defines = {"IGNORE_SHADOW_MAPS", fmt::format("TERMS {}", terms()), fmt::format("NODES {}", nodes()),
-                                      fmt::format("PHASE_KIND {}", static_cast<int>(phase))}};
+    gpu::ProgramDesc desc{
+        .name = fmt::format("participating_media.light_volumes_{}", fragment),
+        .fragment = fmt::format("participating_media/light_volumes/{}.frag", fragment),
+        .defines = {"IGNORE_SHADOW_MAPS", fmt::format("TERMS {}", terms()), fmt::format("NODES {}", nodes()),
+                    fmt::format("PHASE_KIND {}", static_cast<int>(phase))}};
     if (step == Step::faces) desc.vertex = "participating_media/light_volumes/faces.vert";
     if (one) desc.defines.emplace_back("ONE_MEDIUM");
     if (media_->even()) desc.defines.emplace_back("EVEN_MEDIA");

@@ -15,7 +15,8 @@ namespace {
 /// Depth values and metres along a view's axis.
 class Axis {
  public:
-    explicit Axis(const ShadowView& view) : perspective_(view.perspective), inverse_(glm::inverse(view.clip_from_world)) {
+    explicit Axis(const ShadowView& view)
+        : perspective_(view.perspective), inverse_(glm::inverse(view.clip_from_world)) {
         const glm::mat4 rows = glm::transpose(view.clip_from_world);
         depth_per_m_ = glm::length(glm::vec3(rows[2]));
     }
@@ -141,9 +142,9 @@ ShadowMesh make_shadow_mesh(const ShadowView& view, std::span<const float> depth
     const int quads = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(view.size / per_quad, 1))));
     const Grid grid{quads, view.size, of_cube};
     const std::vector<float> heights = grid_depths(grid, depths, nothing);
-    const Triangulation triangulation =
-        triangulate(heights, quads, detail.tolerance_m,
-                    [&](float a, float b) { return std::abs(axis.metres(a) - axis.metres(b)); });
+    const Triangulation triangulation = triangulate(heights, quads, detail.tolerance_m, [&](float a, float b) {
+        return std::abs(axis.metres(a) - axis.metres(b));
+    });
     MeshWriter writer(axis, grid);
     writer.surface(triangulation, heights);
     if (view.perspective)

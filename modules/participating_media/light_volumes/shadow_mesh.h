@@ -31,8 +31,8 @@ struct ShadowMeshDetail {
 /// The mesh of one shadow map: the surface at its depths, and
 ///  - perspective: the sides of the pyramid between the light and the surface, so that what is inside is lit;
 ///  - directional: sides and a lid behind it, so that what is inside is dark and all around is lit.
-/// `depths` are the view's size^2 texels, reversed-Z, bottom row first; where they hold nothing, the surface lies `reach`
-/// metres along the axis. The six views `of_cube` overlap by what filters look at: their meshes do not.
+/// `depths` are the view's size^2 texels, reversed-Z, bottom row first; where they hold nothing, the surface lies
+/// `reach` metres along the axis. The six views `of_cube` overlap by what filters look at: their meshes do not.
 [[nodiscard]] ShadowMesh make_shadow_mesh(const ShadowView& view, std::span<const float> depths, float reach,
                                           const ShadowMeshDetail& detail, bool of_cube = false);
 

@@ -31,8 +31,8 @@ class Triangulator {
             const float between = 0.5f * (heights[point(triangle.a)] + heights[point(triangle.b)]);
             float error = std::max(errors_[middle], difference(between, heights[middle]));
             if (i < parents)
-                error = std::max({error, errors_[point(triangle.first().middle())],
-                                  errors_[point(triangle.second().middle())]});
+                error = std::max(
+                    {error, errors_[point(triangle.first().middle())], errors_[point(triangle.second().middle())]});
             errors_[middle] = error;
         }
     }

@@ -4,19 +4,10 @@
 #include <fmt/format.h>
 
 #include "march/light_rectangle.h"
-#include "physics/blue_noise.h"
+#include "media_textures.h"
 
 namespace tyndall::participating_media {
 namespace {
-
-gpu::Texture make_blue_noise() {
-    const std::vector<float> mask = physics::blue_noise_mask();
-    gpu::Texture texture(
-        {.format = gpu::Format::r32f, .width = physics::kBlueNoiseSize, .height = physics::kBlueNoiseSize},
-        "participating_media.blue_noise");
-    texture.upload(0, 0, mask.data());
-    return texture;
-}
 
 int pixel_step(const MediaSettings& settings) {
     return settings.resolution == Resolution::half ? 2 : 1;
@@ -52,16 +43,20 @@ void MarchPass::execute(PassContext& context) {
         if (term.source == Term::Source::light)
             draw_light(context, term.light, static_cast<int>(term.medium));
         else
-            draw_emission(context, static_cast<int>(term.medium));
+            draw_glow(context, term.source, static_cast<int>(term.medium));
     }
     glDisable(GL_BLEND);
 }
 
-void MarchPass::draw_emission(PassContext& context, int medium) {
-    static const gpu::ProgramDesc kDesc{.name = "participating_media.emission",
-                                        .fragment = "participating_media/march/emission.frag"};
-    const gpu::Program& program = context.frame().shaders.program(kDesc);
+void MarchPass::draw_glow(PassContext& context, Term::Source source, int medium) {
+    static const gpu::ProgramDesc kEmission{.name = "participating_media.emission",
+                                            .fragment = "participating_media/march/emission.frag"};
+    static const gpu::ProgramDesc kEnvironment{.name = "participating_media.environment",
+                                               .fragment = "participating_media/march/environment.frag"};
+    const bool own = source == Term::Source::emission;
+    const gpu::Program& program = context.frame().shaders.program(own ? kEmission : kEnvironment);
     program.use();
+    if (!own) media_->environment().bind(program);
     bind_frame(program, context.frame());
     bind_march(program, context);
     program.set("medium", medium);
@@ -104,6 +99,7 @@ void MarchPass::bind_march(const gpu::Program& program, PassContext& context) co
     program.texture("blue_noise", blue_noise_,
                     {.filter = gpu::Filter::nearest, .wrap_u = gpu::Wrap::repeat, .wrap_v = gpu::Wrap::repeat});
     program.set("steps", settings_.steps);
+    program.set("once", 1);
     program.set("fixed_offset", settings_.jitter ? -1.0f : 0.5f);
 }
 

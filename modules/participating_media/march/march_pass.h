@@ -28,7 +28,8 @@ class MarchPass final : public Pass {
  private:
     void draw_distance(PassContext& context);
     void draw_light(PassContext& context, size_t light, int medium);
-    void draw_emission(PassContext& context, int medium);
+    /// What lights a medium evenly: its own emission, or light from all around.
+    void draw_glow(PassContext& context, Term::Source source, int medium);
     void bind_march(const gpu::Program& program, PassContext& context) const;
     void bind_common(const gpu::Program& program, PassContext& context) const;
     /// Programs for this phase function, for one medium or several, even ones or any.

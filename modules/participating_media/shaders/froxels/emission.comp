@@ -1,0 +1,40 @@
+// Adds what the froxels' media give off themselves.
+#include "participating_media/froxels/sample.glsl"
+#include "participating_media/froxels/scattering.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(rgba32f) uniform image3D froxel_source;
+uniform uint glowing_media;  // a bit each
+
+// Mean radiance per metre that the stretch gives off.
+vec3 source(FroxelRay ray, vec2 stretch, float along) {
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < media_count; ++i) {
+        float t0 = stretch.x, t1 = stretch.y;
+        bool inside = (glowing_media >> uint(i) & 1u) != 0u && clip_to_medium(i, ray.origin, ray.direction, t0, t1);
+        float share = inside ? (t1 - t0) / (stretch.y - stretch.x) : 0.0;
+        vec3 p = ray.origin + mix(t0, t1, along) * ray.direction;
+        sum += inside ? share * medium_density(i, p) * medium_emission(i, p) : vec3(0.0);
+    }
+    return sum;
+}
+
+void main() {
+    ivec3 first = ivec3(gl_GlobalInvocationID) * ivec3(1, 1, kSlicesAThread);
+    if (any(greaterThanEqual(first, froxel_size))) return;
+    int slices = min(kSlicesAThread, froxel_size.z - first.z);
+    vec4 column = imageLoad(froxel_columns, first.xy);
+    float dither = froxel_dither(first);
+    FroxelRay ray = froxel_ray(first, column, 0), far = froxel_ray(column.yz, column.x);
+    float z0 = froxel_depth(float(first.z) / float(froxel_size.z));
+    for (int k = 0; k < slices; ++k) {
+        ivec3 index = first + ivec3(0, 0, k);
+        float z1 = froxel_end(z0);
+        if (z0 > ray.surface) ray = far;
+        vec4 froxel = imageLoad(froxel_source, index);
+        froxel.rgb += froxel_weight(froxel.a) * source(ray, froxel_stretch(ray, z0, z1), froxel_along(dither, k, 0, 1));
+        imageStore(froxel_source, index, froxel);
+        z0 = z1;
+    }
+}

@@ -1,0 +1,19 @@
+// Where the froxels are (froxels/froxel_grid.h): columns over the picture, slices over the depth along the eye's axis.
+#include "render/shaders/frame.glsl"
+
+uniform ivec3 froxel_size;
+uniform vec4 froxel_depths;  // begin, spread, growth, end; metres along the eye's axis
+uniform float froxel_step;   // exp(growth / slices) - 1
+
+// Depth at a share (0..1) of the grid, and back.
+float froxel_depth(float share) { return froxel_depths.x + froxel_depths.y * (exp(froxel_depths.z * share) - 1.0); }
+float froxel_share(float depth) { return log(1.0 + max(depth - froxel_depths.x, 0.0) / froxel_depths.y) / froxel_depths.z; }
+
+// Where the slice ends that begins at a depth.
+float froxel_end(float depth) { return depth + froxel_step * (depth - froxel_depths.x + froxel_depths.y); }
+
+// A thread looks at so many slices: software renderers take long to begin one.
+const int kSlicesAThread = 8;
+
+// Pixels below a column: from here to the next one's.
+ivec2 froxel_pixel(ivec2 column) { return column * ivec2(frame.size_time.xy) / froxel_size.xy; }
