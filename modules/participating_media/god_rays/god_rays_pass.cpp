@@ -13,6 +13,7 @@ std::string god_rays_cannot(const RenderScene& scene, const Medium& medium, cons
     if (scene.lights[term.light].kind != LightKind::directional) return "can render directional lights alone";
     if (scene.lights[term.light].gobo) return "cannot render a gobo";
     if (!std::holds_alternative<ConstantDensity>(medium.density)) return "cannot render a density that varies";
+    if (medium.shape == MediumShape::ellipsoid) return "cannot render an ellipsoid";
     if (scene.media.size() != 1) return "cannot render one of several media";
     return {};
 }
