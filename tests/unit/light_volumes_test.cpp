@@ -70,7 +70,8 @@ TEST(ShadowMesh, EnclosesTheLitSpaceOfASpot) {
         EXPECT_TRUE(closed(mesh));
         // the plate takes away what lies between it and the floor: sides at a quarter of the width
         const double lost = std::pow(2.0 * 0.25 * 4.0, 2) * 4.0 / 3.0 * (1.0 - std::pow(0.5, 3));
-        std::printf("%zu triangles, volume %.4f, expected %.4f\n", mesh.indices.size() / 3, volume_of(mesh), whole - lost);
+        std::printf("%zu triangles, volume %.4f, expected %.4f\n", mesh.indices.size() / 3, volume_of(mesh),
+                    whole - lost);
         EXPECT_NEAR(volume_of(mesh), whole - lost, 0.02 * whole);
     }
 }
@@ -93,7 +94,8 @@ TEST(ShadowMesh, FlatGroundTakesFewTriangles) {
 TEST(ShadowMesh, NothingInTheMapLiesAtTheReach) {
     const std::vector<float> nothing(kSize * kSize, 0.0f);
     const ShadowMesh mesh = make_shadow_mesh(spot_view(), nothing, 8.0f, {});
-    for (const glm::vec3& p : mesh.positions) EXPECT_TRUE(p == glm::vec3(0.0f, 4.0f, 0.0f) || std::abs(p.y + 4.0f) < 1e-3f);
+    for (const glm::vec3& p : mesh.positions)
+        EXPECT_TRUE(p == glm::vec3(0.0f, 4.0f, 0.0f) || std::abs(p.y + 4.0f) < 1e-3f);
 }
 
 TEST(ShadowMesh, EnclosesTheDarkSpaceOfASun) {
@@ -121,16 +123,21 @@ TEST(ShadowMesh, StaysWithinItsTolerance) {
             heights[static_cast<size_t>(y * (kQuads + 1) + x)] = std::sin(0.2f * float(x)) * std::cos(0.15f * float(y));
     size_t before = 2 * kQuads * kQuads;
     for (const float tolerance : {0.01f, 0.05f, 0.3f}) {
-        const Triangulation result = triangulate(heights, kQuads, tolerance, [](float a, float b) { return std::abs(a - b); });
+        const Triangulation result =
+            triangulate(heights, kQuads, tolerance, [](float a, float b) { return std::abs(a - b); });
         float worst = 0.0f;
         for (size_t i = 0; i < result.triangles.size(); i += 3) {
             const auto at = [&](size_t k) { return heights[result.triangles[i + k]]; };
-            const auto place = [&](size_t k) { return glm::ivec2(result.triangles[i + k] % (kQuads + 1), result.triangles[i + k] / (kQuads + 1)); };
+            const auto place = [&](size_t k) {
+                return glm::ivec2(result.triangles[i + k] % (kQuads + 1), result.triangles[i + k] / (kQuads + 1));
+            };
             const glm::ivec2 middle = (place(0) + place(1)) / 2;
             if ((place(0) + place(1)) % 2 != glm::ivec2(0)) continue;
-            worst = std::max(worst, std::abs(0.5f * (at(0) + at(1)) - heights[static_cast<size_t>(middle.y * (kQuads + 1) + middle.x)]));
+            worst = std::max(worst, std::abs(0.5f * (at(0) + at(1)) -
+                                             heights[static_cast<size_t>(middle.y * (kQuads + 1) + middle.x)]));
         }
-        std::printf("tolerance %.2f: %zu triangles, worst %.4f\n", double(tolerance), result.triangles.size() / 3, double(worst));
+        std::printf("tolerance %.2f: %zu triangles, worst %.4f\n", double(tolerance), result.triangles.size() / 3,
+                    double(worst));
         EXPECT_LE(worst, tolerance);
         EXPECT_LT(result.triangles.size() / 3, before);
         before = result.triangles.size() / 3;

@@ -112,7 +112,7 @@ void LightVolumesPass::resolve(PassContext& context, const Term& term) {
     const bool lit =
         frame.scene.lights[term.light].kind == LightKind::directional || !LightMeshes::has_shadows(frame, term.light);
     program.set("unshadowed", lit ? 1.0f : 0.0f);
-    const std::vector<glm::vec2> places = gauss_legendre(nodes());
+    const std::vector<glm::vec2> places = gauss_legendre(nodes(frame.scene.lights[term.light]));
     for (size_t i = 0; i < places.size(); ++i) program.set(fmt::format("nodes[{}]", i), places[i]);
     const DrawState state(DepthState::off, BlendState::add);
     gpu::draw_fullscreen();
@@ -120,7 +120,8 @@ void LightVolumesPass::resolve(PassContext& context, const Term& term) {
 
 const gpu::Program& LightVolumesPass::use(PassContext& context, Step step, const Term& term) {
     Frame& frame = context.frame();
-    LightPrograms& variants = programs(step, media_->media()[term.medium].phase.kind);
+    LightPrograms& variants =
+        programs(step, media_->media()[term.medium].phase.kind, nodes(frame.scene.lights[term.light]));
     variants.begin();
     const gpu::Program& program = variants.use(frame, term.light, [&](const gpu::Program& fresh) {
         if (step == Step::faces) return;
@@ -134,17 +135,17 @@ const gpu::Program& LightVolumesPass::use(PassContext& context, Step step, const
     return program;
 }
 
-LightPrograms& LightVolumesPass::programs(Step step, PhaseKind phase) {
+LightPrograms& LightVolumesPass::programs(Step step, PhaseKind phase, int nodes) {
     static constexpr std::array<std::string_view, 3> kFragments{"span", "faces", "resolve"};
     if (step != Step::resolve) phase = PhaseKind{};
     const bool one = media_->media().size() == 1;
-    const auto key = std::tuple(step, phase, one, media_->even(), terms());
+    const auto key = std::tuple(step, phase, one, media_->even(), terms(), nodes);
     if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
     const std::string_view fragment = kFragments[static_cast<size_t>(step)];
     gpu::ProgramDesc desc{
         .name = fmt::format("participating_media.light_volumes_{}", fragment),
         .fragment = fmt::format("participating_media/light_volumes/{}.frag", fragment),
-        .defines = {"IGNORE_SHADOW_MAPS", fmt::format("TERMS {}", terms()), fmt::format("NODES {}", nodes()),
+        .defines = {"IGNORE_SHADOW_MAPS", fmt::format("TERMS {}", terms()), fmt::format("NODES {}", nodes),
                     fmt::format("PHASE_KIND {}", static_cast<int>(phase))}};
     if (step == Step::faces) desc.vertex = "participating_media/light_volumes/faces.vert";
     if (one) desc.defines.emplace_back("ONE_MEDIUM");

@@ -46,16 +46,18 @@ class LightVolumesPass final : public Pass {
     const gpu::Program& use(PassContext& context, Step step, const Term& term);
     void draw_faces(PassContext& context, const Term& term);
     void resolve(PassContext& context, const Term& term);
-    [[nodiscard]] LightPrograms& programs(Step step, PhaseKind phase);
+    [[nodiscard]] LightPrograms& programs(Step step, PhaseKind phase, int nodes);
     [[nodiscard]] int terms() const { return settings_.light_volumes.terms / 4 * 4; }
-    /// The light along a ray bends more sharply (at a spot's edge) than terms alone would need.
-    [[nodiscard]] int nodes() const { return terms() * 3 / 2; }
+    /// A spot's light bends more sharply, at its edge, than the terms alone would need.
+    [[nodiscard]] int nodes(const Light& light) const {
+        return light.kind == LightKind::spot ? terms() * 3 / 2 : terms();
+    }
 
     std::shared_ptr<MediaBuffer> media_;
     const MediaSettings& settings_;
     LightMeshes meshes_;
     Targets targets_;
-    std::map<std::tuple<Step, PhaseKind, bool, bool, int>, LightPrograms> programs_;
+    std::map<std::tuple<Step, PhaseKind, bool, bool, int, int>, LightPrograms> programs_;
 };
 
 }  // namespace tyndall::participating_media

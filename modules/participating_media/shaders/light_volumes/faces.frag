@@ -16,13 +16,25 @@ void main() {
     float x = to_parameter(span, passing, t);
     float out_of_light = gl_FrontFacing ? -1.0 : 1.0;
     // integral of P_j = (P_(j+1) - P_(j-1)) / (2j + 1)
-    moments[0][0] = out_of_light * (x + 1.0);
+    float integral[TERMS];
+    integral[0] = out_of_light * (x + 1.0);
     float before = 1.0, here = x;
     for (int j = 1; j < TERMS; ++j) {
         float degree = float(j);
         float after = ((2.0 * degree + 1.0) * x * here - degree * before) / (degree + 1.0);
-        moments[j / 4][j % 4] = out_of_light * (after - before) / (2.0 * degree + 1.0);
+        integral[j] = out_of_light * (after - before) / (2.0 * degree + 1.0);
         before = here;
         here = after;
     }
+    // outputs are not indexed by loops: not every driver lets them
+    moments[0] = vec4(integral[0], integral[1], integral[2], integral[3]);
+#if TERMS > 4
+    moments[1] = vec4(integral[4], integral[5], integral[6], integral[7]);
+#endif
+#if TERMS > 8
+    moments[2] = vec4(integral[8], integral[9], integral[10], integral[11]);
+#endif
+#if TERMS > 12
+    moments[3] = vec4(integral[12], integral[13], integral[14], integral[15]);
+#endif
 }
