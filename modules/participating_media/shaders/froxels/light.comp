@@ -98,7 +98,7 @@ void main() {
                 ivec3 index = first + ivec3(0, 0, k);
                 float z1 = froxel_end(z0);
                 vec4 froxel = imageLoad(froxel_source, index);
-                int count = froxel_samples(froxel_weight(froxel.a));
+                int count = froxel_samples(froxel.a);
                 rays = max(rays, count);
                 vec2 stretch = froxel_stretch(ray, z0, z1);
                 stretch.y = i < count ? stretch.y : 0.0;
