@@ -71,7 +71,7 @@ TEST(HalfSpace, AgreesWithAnIndependentProgram) {
     double worst = 0.0;
     for (const Row& row : rows) {
         const vec3 albedo(row.scattering / (row.scattering + row.absorption));
-        const Measured found = half_space_reflectance(albedo, row.eta, 0.0f, 16, 256);
+        const Measured found = half_space_reflectance(albedo, row.eta, 0.0f, 16, 512);
         for (int c = 0; c < 3; ++c) {
             worst = std::max(worst, std::abs(found.mean[c] - row.exact[c]));
             EXPECT_LT(3.0 * found.error[c], 0.005) << "too few samples to tell";

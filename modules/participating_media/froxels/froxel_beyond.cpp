@@ -64,7 +64,6 @@ void FroxelBeyond::draw_light(PassContext& context, const MediaBuffer& media, co
 }
 
 void FroxelBeyond::draw(PassContext& context, const MediaBuffer& media, const FroxelVolume& volume, int light_steps) {
-    if (volume.grid.complete) return;
     Frame& frame = context.frame();
     const std::vector<Term>& terms = media.plan().terms(Solver::froxels);
     for (size_t light = 0; light < frame.scene.lights.size(); ++light)

@@ -31,7 +31,7 @@ class LightProgramSet {
 /// Draws the froxels' terms between the grid's end and each pixel's surface, in pieces with closed forms.
 class FroxelBeyond {
  public:
-    /// The targets are bound and add. Nothing is drawn where the grid holds all.
+    /// The targets are bound and add.
     void draw(PassContext& context, const MediaBuffer& media, const FroxelVolume& volume, int light_steps);
 
  private:

@@ -10,7 +10,7 @@
 namespace tyndall::participating_media {
 namespace {
 
-constexpr float kLeastWeight = 0.05f;         ///< of a frame in the mean over frames
+constexpr float kLeastWeight = 0.03f;         ///< of a frame in the mean over frames
 constexpr float kLeastWeightChanging = 0.5f;  ///< the same while media change
 constexpr glm::vec4 kEverywhere(0.0f, 0.0f, 0.0f, -1.0f);
 

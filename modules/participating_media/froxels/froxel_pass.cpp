@@ -154,17 +154,18 @@ void FroxelPass::integrate(PassContext& context) {
 }
 
 void FroxelPass::apply(PassContext& context) {
-    static const gpu::ProgramDesc kDesc{.name = "participating_media.froxels.apply",
-                                        .fragment = "participating_media/froxels/apply.frag"};
-    context.bind_targets();
-    const gpu::Program& program = context.frame().shaders.program(kDesc);
-    program.use();
-    bind_frame(program, context.frame());
-    volume_->bind(program);
+    const gpu::Program& program = compute(context, "apply");
+    volume_->bind_grid(program);
     program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
+    program.image("froxel_radiance", volume_->radiance, 0, false);
+    program.image("froxel_columns", volume_->columns, 0, false);
+    program.image("media_in_scatter", context.texture("media_in_scatter"), 0, true);
+    dispatch({context.size(), 1});
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
+    if (volume_->grid.complete) return;
+    context.bind_targets();
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);  // the distance stays
-    gpu::draw_fullscreen();
     beyond_.draw(context, *media_, *volume_, settings_.light_steps);
     glDisable(GL_BLEND);
 }

@@ -22,7 +22,7 @@ void main() {
         vec3 sum = vec3(0.0);
         for (int i = 0; i < media_count; ++i) {
             vec3 light = (lit_media >> uint(i) & 1u) != 0u ? media[i].sigma_s_phase.rgb * environment_scattered(i, p, ray.direction) * around : vec3(0.0);
-            light += (glowing_media >> uint(i) & 1u) != 0u ? media[i].emission_even.rgb : vec3(0.0);
+            light += (glowing_media >> uint(i) & 1u) != 0u ? medium_emission(i, p) : vec3(0.0);
             sum += light * beyond_column(i, ray, t, next);
         }
         vec3 tau = media_optical_depth(ray.origin, ray.direction, t, next, 1);

@@ -15,7 +15,7 @@ vec3 source(FroxelRay ray, vec2 stretch, float along) {
         bool inside = (glowing_media >> uint(i) & 1u) != 0u && clip_to_medium(i, ray.origin, ray.direction, t0, t1);
         float share = inside ? (t1 - t0) / (stretch.y - stretch.x) : 0.0;
         vec3 p = ray.origin + mix(t0, t1, along) * ray.direction;
-        sum += inside ? share * medium_density(i, p) * medium_emission(i, p) : vec3(0.0);
+        sum += inside ? share * medium_density(i, p, t1 - t0) * medium_emission(i, p) : vec3(0.0);
     }
     return sum;
 }

@@ -51,14 +51,15 @@ float near_light(LitRay lit, float t0, float t1, float t) {
 #endif
 }
 
-vec3 scattering(vec3 p, float u) {
+// `spacing`: metres from a sample to the next.
+vec3 scattering(vec3 p, float u, float spacing) {
 #ifdef ONE_MEDIUM
-    return media[0].sigma_s_phase.rgb * medium_density(0, p) * medium_phase(0, u);
+    return media[0].sigma_s_phase.rgb * medium_density(0, p, spacing) * medium_phase(0, u);
 #else
     vec3 sum = vec3(0.0);
     for (int i = 0; i < media_count; ++i) {
-        bool inside = (light_media >> uint(i) & 1u) != 0u && all(lessThan(abs(medium_place(i, p)), vec3(0.5)));
-        sum += inside ? media[i].sigma_s_phase.rgb * medium_density(i, p) * medium_phase(i, u) : vec3(0.0);
+        bool inside = (light_media >> uint(i) & 1u) != 0u && medium_holds(i, p);
+        sum += inside ? media[i].sigma_s_phase.rgb * medium_density(i, p, spacing) * medium_phase(i, u) : vec3(0.0);
     }
     return sum;
 #endif
@@ -73,7 +74,7 @@ vec3 source(LitRay lit, vec2 stretch, float along) {
         vec3 p = lit.ray.origin + t * lit.ray.direction;
         vec3 to_light;
         vec3 irradiance = light_irradiance(light_index, p, to_light) * near_light(lit, t0, t1, t);
-        sum += irradiance * scattering(p, dot(to_light, lit.ray.direction)) * light_transmittance(light_index, p, vec3(0.0)) *
+        sum += irradiance * scattering(p, dot(to_light, lit.ray.direction), t1 - t0) * light_transmittance(light_index, p, vec3(0.0)) *
                ((t1 - t0) / (stretch.y - stretch.x));
     }
     return sum;
@@ -98,7 +99,7 @@ void main() {
                 ivec3 index = first + ivec3(0, 0, k);
                 float z1 = froxel_end(z0);
                 vec4 froxel = imageLoad(froxel_source, index);
-                int count = froxel_samples(froxel_weight(froxel.a));
+                int count = froxel_samples(froxel.a);
                 rays = max(rays, count);
                 vec2 stretch = froxel_stretch(ray, z0, z1);
                 stretch.y = i < count ? stretch.y : 0.0;

@@ -56,4 +56,7 @@ vec2 froxel_stretch(FroxelRay ray, float z0, float z1) {
 
 // The more of a froxel's light is this frame's, the more places are looked at.
 float froxel_weight(float alpha) { return max(abs(alpha) - 1.0, 0.0); }
-int froxel_samples(float weight) { return weight <= 0.0 ? 0 : max(samples, int(ceil(float(samples_alone) * weight))); }
+int froxel_samples(float alpha) {
+    int most = alpha < 0.0 ? samples : samples_alone;  // stand-ins count little
+    return alpha == 0.0 ? 0 : max(samples, int(ceil(float(most) * froxel_weight(alpha))));
+}

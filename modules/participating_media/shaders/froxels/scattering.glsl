@@ -22,3 +22,9 @@ vec3 medium_phase(int medium, float u) {
 #endif
     return vec3(phase_evaluate(phase_kind_of(medium), media[medium].phase_parameters, u));
 }
+
+// The place is in medium i's box, or in its ellipsoid.
+bool medium_holds(int i, vec3 p) {
+    vec3 local = medium_place(i, p);
+    return all(lessThan(abs(local), vec3(0.5))) && media[i].shape.x * dot(local, local) < 0.25;
+}
