@@ -25,8 +25,9 @@ struct DropletTable {
     glm::dvec3 efficiency{0.0};  ///< extinction over the droplets' geometric cross sections, per channel
 };
 
-/// Refractive index of water at 20 C relative to air: the real part by Harvey et al. (J. Phys. Chem. Ref. Data 27, 1998, which the
-/// IAPWS recommends), the imaginary one from the absorption that Pope & Fry measured (Applied Optics 36, 1997).
+/// Refractive index of water at 20 C relative to air: the real part by Harvey et al. (J. Phys. Chem. Ref. Data 27,
+/// 1998, which the IAPWS recommends), the imaginary one from the absorption that Pope & Fry measured (Applied Optics
+/// 36, 1997).
 [[nodiscard]] std::complex<double> water_index(double wavelength_nm);
 
 /// The phase function under white light (a black body of 6500 K) as a camera with Rec. 709 primaries sees it; colours
