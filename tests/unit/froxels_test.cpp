@@ -141,15 +141,15 @@ TEST_F(FroxelsTest, APaneSeesWhatAWallInItsPlaceWouldSee) {
             Surface wall = scene_.surfaces.front();
             wall.mesh = test::plane_mesh();
             wall.transform = scene_.camera.transform * test::translated({0, 0, -metres}) *
-                             glm::rotate(glm::mat4(1.0f), 1.5707963f, glm::vec3(1, 0, 0)) *
-                             test::scaled({30, 1, 30});
+                             glm::rotate(glm::mat4(1.0f), 1.5707963f, glm::vec3(1, 0, 0)) * test::scaled({30, 1, 30});
             wall.bounds = wall.mesh->mesh.bounds.transformed(wall.transform);
             wall.casts_shadow = false;
             scene_.surfaces.push_back(wall);
             const LinearDifference difference = compare_linear(frame(), pane);
-            std::printf("%s at %.1f m: relMSE %.6f, mean ratio %.4f\n", solver, double(metres),
-                        difference.relative_mse, difference.mean_ratio);
-            if (std::string_view(solver) != "\"froxels\"") continue;  // a share of the whole by transmittance is a guess
+            std::printf("%s at %.1f m: relMSE %.6f, mean ratio %.4f\n", solver, double(metres), difference.relative_mse,
+                        difference.mean_ratio);
+            if (std::string_view(solver) != "\"froxels\"")
+                continue;  // a share of the whole by transmittance is a guess
             EXPECT_LT(difference.relative_mse, 0.015);
             EXPECT_NEAR(difference.mean_ratio, 1.0, 0.02);
         }
