@@ -51,4 +51,4 @@ class ParticipatingMedia final : public Module {
 }  // namespace tyndall::participating_media
 
 TYNDALL_MODULE(tyndall::participating_media::ParticipatingMedia, "0.1",
-               "Single scattering in fog, dust, smoke and water, ray-marched.", "")
+               "Single scattering in fog, dust, smoke and water, by several solvers.", "")
