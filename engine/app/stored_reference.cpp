@@ -101,11 +101,11 @@ void save_reference(const fs::path& file, const NoisyPicture& picture, const std
     const std::vector<std::string> variances{"variance.R", "variance.G", "variance.B"};
     save_exr(file, all,
              {.half = fits_half(rounded.radiance),
-              .full_channels = variances,
               .channel_names = {"R", "G", "B", "variance.R", "variance.G", "variance.B"},
               .metadata = {{"tyndall.recipe", recipe},
                            {"tyndall.samples", std::to_string(samples)},
-                           {"tyndall.seed", std::to_string(seed)}}});
+                           {"tyndall.seed", std::to_string(seed)}},
+              .full_channels = variances});
 }
 
 NoisyPicture load_reference(const CaptureFile& capture, const TracedReference& reference) {

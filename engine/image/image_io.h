@@ -45,10 +45,10 @@ struct ImageSize {
 void save_png(const std::filesystem::path& file, const Image& image);
 
 struct ExrOptions {
-    bool half = false;                                          ///< 16-bit floats, else 32 ...
-    std::vector<std::string> full_channels;                     ///< ... which these channels keep
+    bool half = false;                                          ///< 16-bit floats, else 32
     std::vector<std::string> channel_names;                     ///< one for each channel; empty: Y, YA, RGB or RGBA
     std::vector<std::pair<std::string, std::string>> metadata;  ///< text attributes
+    std::vector<std::string> full_channels;                     ///< keep 32 bits where the others are half
 };
 /// Writes an f32 picture, ZIP-compressed, atomically. Throws Error for another type or when it cannot be written.
 void save_exr(const std::filesystem::path& file, const Image& image, const ExrOptions& options = {});

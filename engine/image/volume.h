@@ -15,7 +15,7 @@ struct Volume {
     glm::ivec3 size{0};         ///< voxels along x, y, z
     glm::vec3 voxel_m{1.0f};    ///< edge lengths of a voxel as the file has them; only their ratios matter for fitting
     glm::vec3 low_m{0.0f};      ///< the low corner of its box in the file's own space, in the same units
-    std::vector<float> values;  ///< size.x * size.y * size.z, finite
+    std::vector<float> values;  ///< size.x * size.y * size.z, finite, not negative
 
     [[nodiscard]] float at(int x, int y, int z) const {
         return values[(static_cast<size_t>(z) * static_cast<size_t>(size.y) + static_cast<size_t>(y)) *

@@ -12,7 +12,7 @@ namespace {
 /// The largest half float: what renderers write for "too bright".
 constexpr float kBrightest = 65504.0f;
 
-/// Solvers average over probes: one pixel of NaN or infinity would blacken or blind the whole scene.
+/// Solvers average over probes and mips: one pixel of NaN or infinity would blacken or blind the whole scene.
 void make_finite(Image& image, std::string_view name) {
     size_t mended = 0;
     for (float& value : image.floats())
@@ -31,7 +31,6 @@ void fill_texture(TextureAsset& texture, Image image, TextureUse use, const Colo
     texture.srgb_encoded = false;
     if (use == TextureUse::probe) {
         texture.image = with_channels(config.to_working(image, space), 3);
-        make_finite(texture.image, texture.name);
     } else if (use == TextureUse::data || config.is_data(space)) {
         texture.image = image.type == Image::Type::u16 ? to_float(image) : std::move(image);
     } else if (image.type == Image::Type::u8 && config.decodes_as_srgb(space)) {
@@ -40,6 +39,7 @@ void fill_texture(TextureAsset& texture, Image image, TextureUse use, const Colo
     } else {
         texture.image = config.to_working(image, space);
     }
+    if (texture.image.type == Image::Type::f32) make_finite(texture.image, texture.name);
 }
 
 TextureAsset load_texture(const std::filesystem::path& file, std::string_view name, TextureUse use,
