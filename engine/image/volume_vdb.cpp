@@ -79,7 +79,7 @@ std::string read_grid(const std::filesystem::path& path, const std::string& name
     const openvdb::FloatGrid::Ptr grid = file.grid(name);
     const openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
     if (box.empty()) file.fail("the grid '" + name + "' is empty");
-    const auto extent = [&](int axis) { return int64_t{box.max()[axis]} - int64_t{box.min()[axis]} + 1; };
+    const auto extent = [&](size_t axis) { return int64_t{box.max()[axis]} - int64_t{box.min()[axis]} + 1; };
     check_volume_size(path, extent(0), extent(1), extent(2));
     const openvdb::Vec3d voxel = grid->voxelSize();
     Header header{glm::ivec3(extent(0), extent(1), extent(2)), glm::vec3(voxel.x(), voxel.y(), voxel.z()),
