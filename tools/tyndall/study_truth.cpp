@@ -101,7 +101,7 @@ Truth truth_of(const Study& study, const StudyScene& scene, const FilmCache& fil
     combine(truth.picture.variance, found.film.variance(), 1.0f);
     truth.about += ", less what is not compared";
     truth.identity += fmt::format(" less {} {}", found.film.recipe(), found.film.samples());
-    truth.problem += std::move(found.problem);
+    truth.problem += found.problem;
     return truth;
 }
 
