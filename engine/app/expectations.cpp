@@ -16,16 +16,16 @@
 
 namespace tyndall {
 namespace fs = std::filesystem;
-namespace {
 
-/// The file of a reference name, or nothing when the folder of references is not there.
-std::optional<fs::path> reference_file(const CaptureFile& capture, const std::string& name) {
-    if (!name.starts_with(kReferencesPrefix)) return capture.file.parent_path() / name;
+std::optional<fs::path> reference_picture(const fs::path& folder, const std::string& name) {
+    if (!name.starts_with(kReferencesPrefix)) return paths::resolve_asset(fs::absolute(folder), name);
     const char* wanted = std::getenv("TYNDALL_REFERENCES");
-    const fs::path folder = wanted ? fs::path(wanted) : paths::root().parent_path() / "shared" / "references";
-    if (!fs::is_directory(folder)) return std::nullopt;
-    return paths::resolve_asset(folder, name.substr(kReferencesPrefix.size()));
+    const fs::path references = wanted ? fs::path(wanted) : paths::root().parent_path() / "shared" / "references";
+    if (!fs::is_directory(references)) return std::nullopt;
+    return paths::resolve_asset(references, name.substr(kReferencesPrefix.size()));
 }
+
+namespace {
 
 /// A scene-linear picture and, where its file has one, its variance.
 NoisyPicture load_picture(const fs::path& file) {
@@ -136,7 +136,7 @@ class Judge {
     }
 
     void compare_with_file() {
-        const auto file = reference_file(capture_, wanted_.reference);
+        const auto file = reference_picture(capture_.file.parent_path(), wanted_.reference);
         if (!file) return skip("the folder of references is not there (set TYNDALL_REFERENCES)");
         if (wanted_.baseline) judgement_.add("a baseline, no truth backs it");
         compare(wanted_.baseline ? Backing::baseline : Backing::truth, wanted_.reference, load_picture(*file));

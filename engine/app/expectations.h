@@ -1,7 +1,9 @@
 #pragma once
 /// Judging captured pictures.
 
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +50,11 @@ struct Verdict {
     Image heat_map;                  ///< where it differs most; empty without a comparison
     std::vector<Compared> compared;  ///< all that the expectation holds the picture against
 };
+
+/// The file of a reference: beside `folder`'s files, or of "references:NAME" in the folder that TYNDALL_REFERENCES
+/// names; nothing when that folder is not there. Throws Error when the file does not exist, with the nearest name.
+[[nodiscard]] std::optional<std::filesystem::path> reference_picture(const std::filesystem::path& folder,
+                                                                     const std::string& name);
 
 /// Judges all expectations of a capture on one camera's pictures, by variant name; `camera` is the one that variants
 /// without a camera of their own were seen through, empty for the scene's choice. Expectations whose traced reference

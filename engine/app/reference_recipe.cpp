@@ -16,12 +16,6 @@ namespace {
 
 using Json = nlohmann::json;  // its keys are sorted: their order in a file does not matter
 
-uint64_t fnv1a(std::string_view text) {
-    uint64_t hash = 0xcbf29ce484222325ull;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-    return hash;
-}
-
 /// The content of the files that a scene names, and that the JSON files among them name.
 class NamedFiles {
  public:
@@ -41,7 +35,7 @@ class NamedFiles {
         std::error_code none;
         if (name.size() > 255 || !fs::is_regular_file(file, none) || !seen_.insert(file).second) return;
         const std::string content = paths::read_file(file);
-        hashes_[name] = fmt::format("{:016x}", fnv1a(content));
+        hashes_[name] = content_hash(content);
         if (file.extension() != ".json" && file.extension() != ".gltf") return;
         if (const Json inner = Json::parse(content, nullptr, false); !inner.is_discarded())
             add_from(inner, file.parent_path());
@@ -52,6 +46,12 @@ class NamedFiles {
 };
 
 }  // namespace
+
+std::string content_hash(std::string_view content) {
+    uint64_t hash = 0xcbf29ce484222325ull;
+    for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
+    return fmt::format("{:016x}", hash);
+}
 
 std::vector<std::string> changes_of(const CaptureFile& capture, const TracedReference& reference) {
     std::vector<std::string> changes = capture.variant_of(reference).set;
@@ -79,7 +79,7 @@ std::string recipe_of(const CaptureFile& capture, const TracedReference& referen
     files.add_from(content, file.parent_path());
     const glm::ivec2 size = size_of(capture, reference);
     const int highest = reference.single_scattering ? 1 : reference.orders.empty() ? -1 : reference.orders[1];
-    return Json{{"scene", fmt::format("{:016x}", fnv1a(content.dump()))},
+    return Json{{"scene", content_hash(content.dump())},
                 {"files", files.hashes()},
                 {"camera", camera},
                 {"size", {size.x, size.y}},

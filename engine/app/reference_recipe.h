@@ -3,11 +3,15 @@
 
 #include <glm/vec2.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/capture_file.h"
 
 namespace tyndall {
+
+/// A fingerprint of text or of a file's content, sixteen hexadecimal digits (FNV-1a).
+[[nodiscard]] std::string content_hash(std::string_view content);
 
 /// What a reference is to be made from, as JSON: the scene with its changes, but not how it is rendered ("render" but
 /// for the camera, "description"); the content of the files that it names; camera, size, and what is traced. Spaces

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/paths.h"
 #include "reference/trace.h"
+#include "traced_reference.h"
 
 namespace tyndall {
 namespace fs = std::filesystem;
@@ -43,14 +44,7 @@ reference::TraceSettings settings_of(const CaptureFile& capture, const TracedRef
 const RenderScene& load(Engine& engine, const CaptureFile& capture, const TracedReference& reference) {
     Assignments changes;
     for (const std::string& text : changes_of(capture, reference)) changes.push_back(split_assignment(text));
-    engine.load_scene(capture.file.parent_path() / capture.scene, changes);
-    engine.select_camera(capture.camera_of(reference));
-    const RenderScene& scene = engine.extract();
-    if (!engine.unmade().empty()) throw Error(engine.unmade());
-    if (const std::string problem = engine.problems(); !problem.empty())
-        throw Error("a part of the scene is missing: " + problem);
-    if (scene.cameras.empty()) throw Error(engine.scene_path().string() + ": the scene has no camera to trace from");
-    return scene;
+    return load_for_tracing(engine, capture.file.parent_path() / capture.scene, changes, capture.camera_of(reference));
 }
 
 reference::Film trace(const RenderScene& scene, const CaptureFile& capture, const TracedReference& wanted) {

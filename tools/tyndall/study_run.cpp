@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/capture.h"
+#include "app/reference_recipe.h"
 #include "core/build_info.h"
 #include "core/error.h"
 #include "core/log.h"
@@ -202,7 +203,7 @@ std::string StudyRun::key_of(const Run& run, const Truth& truth) const {
     const fs::path file = study_.file.parent_path() / scene.scene;
     const nlohmann::json all = {build_info().revision,
                                 context_->gl_info().renderer,
-                                fs::exists(file) ? recipe_hash(paths::read_file(file)) : "",
+                                fs::exists(file) ? content_hash(paths::read_file(file)) : "",
                                 run.set,
                                 scene.subtract,
                                 scene.camera,
@@ -211,7 +212,7 @@ std::string StudyRun::key_of(const Run& run, const Truth& truth) const {
                                 study_.plots,
                                 truth.identity,
                                 run.baseline};
-    return recipe_hash(all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    return content_hash(all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 void StudyRun::tell(const Row& row, bool kept) {

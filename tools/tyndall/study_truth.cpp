@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
+#include "app/expectations.h"
 #include "core/error.h"
-#include "core/paths.h"
 #include "image/image_io.h"
 
 namespace tyndall {
@@ -17,20 +16,12 @@ using measure::Reference;
 using measure::Study;
 using measure::StudyScene;
 
-/// Beside the study, or in the folder of references that captures use.
-fs::path reference_file(const Study& study, const std::string& name) {
-    constexpr std::string_view kPrefix = "references:";
-    if (!name.starts_with(kPrefix)) return paths::resolve_asset(fs::absolute(study.file).parent_path(), name);
-    const char* wanted = std::getenv("TYNDALL_REFERENCES");
-    const fs::path folder = wanted ? fs::path(wanted) : paths::root().parent_path() / "shared" / "references";
-    if (!fs::is_directory(folder))
-        throw Error(Diagnostic{
-            {folder.string()}, "the folder of references is not there", "the folder that TYNDALL_REFERENCES names"});
-    return paths::resolve_asset(folder, name.substr(kPrefix.size()));
-}
-
 Truth loaded(const Study& study, const StudyScene& scene) {
-    const fs::path file = reference_file(study, scene.reference.file);
+    const auto found = reference_picture(study.file.parent_path(), scene.reference.file);
+    if (!found)
+        throw Error("the folder of references is not there (set TYNDALL_REFERENCES to the folder of " +
+                    scene.reference.file + ")");
+    const fs::path& file = *found;
     Truth truth;
     truth.picture.radiance = with_channels(to_float(load_image(file)), 3);
     const auto wanted = glm::ivec2(scene.size);

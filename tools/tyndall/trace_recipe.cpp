@@ -1,11 +1,9 @@
 #include "trace_recipe.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-
 #include <nlohmann/json.hpp>
 
+#include "app/reference_recipe.h"
 #include "core/paths.h"
 
 namespace tyndall {
@@ -20,18 +18,12 @@ constexpr int kTracerVersion = 1;
 Json content_of(std::vector<std::filesystem::path> files) {
     Json all = Json::array();
     for (const std::filesystem::path& file : files)
-        all.push_back({file.filename().string(), recipe_hash(paths::read_file(file))});
+        all.push_back({file.filename().string(), content_hash(paths::read_file(file))});
     std::sort(all.begin(), all.end());
     return all;
 }
 
 }  // namespace
-
-std::string recipe_hash(std::string_view recipe) {
-    uint64_t hash = 0xcbf29ce484222325ull;  // FNV-1a
-    for (const char c : recipe) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-    return fmt::format("{:016x}", hash);
-}
 
 std::string trace_recipe(const Engine& engine, const std::string& camera, const reference::TraceSettings& settings) {
     std::vector<std::filesystem::path> files = engine.asset_files();
@@ -39,7 +31,7 @@ std::string trace_recipe(const Engine& engine, const std::string& camera, const 
     Json recipe;
     recipe["tracer"] = kTracerVersion;
     recipe["scene"] = engine.scene_path().filename().string();
-    recipe["scene_hash"] = recipe_hash(engine.scene_text());
+    recipe["scene_hash"] = content_hash(engine.scene_text());
     recipe["files"] = content_of(std::move(files));
     recipe["camera"] = camera;
     recipe["size"] = {settings.size.x, settings.size.y};

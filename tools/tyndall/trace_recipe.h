@@ -14,7 +14,4 @@ namespace tyndall {
 [[nodiscard]] std::string trace_recipe(const Engine& engine, const std::string& camera,
                                        const reference::TraceSettings& settings);
 
-/// A short name for a recipe: 16 hexadecimal digits.
-[[nodiscard]] std::string recipe_hash(std::string_view recipe);
-
 }  // namespace tyndall

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <optional>
 
+#include "app/reference_recipe.h"
 #include "core/error.h"
 #include "trace_recipe.h"
 
@@ -78,7 +79,7 @@ FilmCache::Found FilmCache::film(const TraceRequest& request, const TraceWatch& 
     const RenderScene& scene = load_for_tracing(engine, request.scene, request.changes, request.camera);
     reference::TraceSettings settings = request.settings;
     settings.batch = 0;  // a film in other batches is as good
-    const std::string name = recipe_hash(trace_recipe(engine, request.camera, settings));
+    const std::string name = content_hash(trace_recipe(engine, request.camera, settings));
     Found found;
     found.file = folder_ / (request.scene.stem().string() + "-" + name + ".exr");
     std::optional<Film> kept = kept_film(found.file, engine, request, found.problem);
