@@ -19,6 +19,9 @@ namespace tyndall::participating_media {
 inline constexpr size_t kMaximumMedia = 16;
 inline constexpr size_t kMaximumBlobs = 64;
 
+/// Rays into the sky are followed to here at most, metres.
+inline constexpr float kFarthest = 1e4f;
+
 /// The uniform blocks of shaders/media.glsl. Makes its GL objects when first used.
 class MediaBuffer {
  public:

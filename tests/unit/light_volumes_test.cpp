@@ -10,7 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
 
-#include "light_volumes/quadrature.h"
+#include "quadrature.h"
 #include "light_volumes/triangulation.h"
 
 namespace tyndall::participating_media {

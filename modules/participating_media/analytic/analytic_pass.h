@@ -1,15 +1,13 @@
 #pragma once
 /// The solver analytic: light that meets no shadow, without a march.
 
-#include <map>
 #include <memory>
 #include <string>
-#include <tuple>
 
 #include "media_buffer.h"
+#include "media_programs.h"
 #include "media_settings.h"
 #include "render/frame_graph.h"
-#include "render/light_programs.h"
 
 namespace tyndall::participating_media {
 
@@ -30,11 +28,13 @@ class AnalyticPass final : public Pass {
 
  private:
     void draw(PassContext& context, const Term& term);
-    [[nodiscard]] LightPrograms& programs(PhaseKind phase);
 
     std::shared_ptr<MediaBuffer> media_;
     const MediaSettings& settings_;
-    std::map<std::tuple<PhaseKind, bool, bool, int>, LightPrograms> programs_;
+    MediaPrograms programs_{{.name = "participating_media.analytic",
+                             .fragment = "participating_media/analytic/analytic.frag",
+                             .defines = {"IGNORE_SHADOW_MAPS"}},
+                            {"NODES"}};
 };
 
 }  // namespace tyndall::participating_media

@@ -8,10 +8,8 @@
 #include <bit>
 
 #include "epipolar/epipole.h"
-#include "march/march_pass.h"
 #include "render/draw_state.h"
 #include "render/light_buffer.h"
-#include "render/seams.h"
 #include "render/shadow_maps.h"
 
 namespace tyndall::participating_media {
@@ -132,13 +130,12 @@ void EpipolarPass::make_tree(PassContext& context, const Term& term) {
 
 const gpu::Program& EpipolarPass::use(PassContext& context, Step step, const Term& term) {
     Frame& frame = context.frame();
-    LightPrograms& variants = programs(step, media_->media()[term.medium].phase.kind);
+    const bool looks_at_media = step == Step::march || step == Step::unwarp;
+    const PhaseKind phase = looks_at_media ? media_->media()[term.medium].phase.kind : PhaseKind{};
+    LightPrograms& variants = programs_.at(static_cast<size_t>(step)).of(*media_, phase, {settings_.epipolar.steps});
     variants.begin();
     const gpu::Program& program = variants.use(frame, term.light, [&](const gpu::Program& fresh) {
-        if (step != Step::march && step != Step::unwarp) return;
-        frame.seams.bind(Seam::light_transmittance, fresh, context);
-        media_->bind(fresh, settings_.light_steps);
-        fresh.texture("phase_tables", media_->phase_tables(), {.filter = gpu::Filter::linear});
+        if (looks_at_media) bind_light_source(fresh, context, *media_, settings_.light_steps);
     });
     const EpipolarSettings& settings = settings_.epipolar;
     const int view = shadow_view_index(frame, term.light);
@@ -171,27 +168,23 @@ const gpu::Program& EpipolarPass::use(PassContext& context, Step step, const Ter
     return program;
 }
 
-LightPrograms& EpipolarPass::programs(Step step, PhaseKind phase) {
-    static constexpr std::array<std::string_view, 8> kFiles{"slices.comp",      "distances.comp", "sources.comp",
-                                                            "tree.comp",        "tree.comp",      "march.comp",
-                                                            "interpolate.comp", "unwarp.frag"};
-    const bool looks_at_media = step == Step::march || step == Step::unwarp;
-    if (!looks_at_media) phase = PhaseKind{};
-    const bool one = media_->media().size() == 1;
-    const auto key = std::tuple(step, phase, one, media_->even(), settings_.epipolar.steps);
-    if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
-    const std::string_view file = kFiles[static_cast<size_t>(step)];
-    gpu::ProgramDesc desc{.name = fmt::format("participating_media.epipolar_{}", file.substr(0, file.find('.'))),
-                          .defines = {fmt::format("PHASE_KIND {}", static_cast<int>(phase))}};
-    (step == Step::unwarp ? desc.fragment : desc.compute) = fmt::format("participating_media/epipolar/{}", file);
-    if (step == Step::tree_leaves) desc.defines.emplace_back("FIRST_LEVEL");
-    if (step == Step::march) {
-        desc.defines.emplace_back("IGNORE_SHADOW_MAPS");
-        desc.defines.push_back(fmt::format("STEPS {}", settings_.epipolar.steps));
-    }
-    if (one) desc.defines.emplace_back("ONE_MEDIUM");
-    if (media_->even()) desc.defines.emplace_back("EVEN_MEDIA");
-    return programs_.try_emplace(key, std::move(desc)).first->second;
+std::vector<MediaPrograms> EpipolarPass::make_programs() {
+    const auto compute = [](std::string_view name, std::vector<std::string> defines = {},
+                            std::vector<std::string> numbers = {}) {
+        return MediaPrograms({.name = fmt::format("participating_media.epipolar_{}", name),
+                              .compute = fmt::format("participating_media/epipolar/{}.comp", name),
+                              .defines = std::move(defines)},
+                             std::move(numbers));
+    };
+    return {compute("slices"),
+            compute("distances"),
+            compute("sources"),
+            compute("tree", {"FIRST_LEVEL"}),
+            compute("tree"),
+            compute("march", {"IGNORE_SHADOW_MAPS"}, {"STEPS"}),
+            compute("interpolate"),
+            MediaPrograms({.name = "participating_media.epipolar_unwarp",
+                           .fragment = "participating_media/epipolar/unwarp.frag"})};
 }
 
 }  // namespace tyndall::participating_media

@@ -1,17 +1,16 @@
 #pragma once
 /// The pass of epipolar sampling.
 
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <tuple>
+#include <vector>
 
 #include "media_buffer.h"
+#include "media_programs.h"
 #include "media_settings.h"
 #include "render/frame.h"
 #include "render/frame_graph.h"
-#include "render/light_programs.h"
 
 namespace tyndall::participating_media {
 
@@ -42,7 +41,7 @@ class EpipolarPass final : public Pass {
     void make_tree(PassContext& context, const Term& term);
     const gpu::Program& use(PassContext& context, Step step, const Term& term);
     void dispatch(int rows) const;
-    [[nodiscard]] LightPrograms& programs(Step step, PhaseKind phase);
+    [[nodiscard]] static std::vector<MediaPrograms> make_programs();
     /// Along a slice: whole initial steps and one at the end.
     [[nodiscard]] int samples() const;
     [[nodiscard]] int shadow_samples() const;
@@ -52,7 +51,7 @@ class EpipolarPass final : public Pass {
     std::shared_ptr<MediaBuffer> media_;
     const MediaSettings& settings_;
     Targets targets_;
-    std::map<std::tuple<Step, PhaseKind, bool, bool, int>, LightPrograms> programs_;
+    std::vector<MediaPrograms> programs_ = make_programs();  ///< by Step
 };
 
 }  // namespace tyndall::participating_media

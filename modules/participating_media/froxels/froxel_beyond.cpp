@@ -1,7 +1,5 @@
 #include "froxels/froxel_beyond.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "render/frame.h"
@@ -16,22 +14,10 @@ unsigned media_bits(const std::vector<Term>& terms, Term::Source source, size_t 
     return bits;
 }
 
-std::vector<std::string> media_defines(const MediaBuffer& media, const std::vector<Term>& terms) {
-    std::vector<std::string> defines;
+std::optional<PhaseKind> common_phase(const MediaBuffer& media, const std::vector<Term>& terms) {
     const auto kind = [&](const Term& term) { return media.media()[term.medium].phase.kind; };
-    if (std::ranges::all_of(terms, [&](const Term& term) { return kind(term) == kind(terms.front()); }))
-        defines.push_back(fmt::format("PHASE_KIND {}", static_cast<int>(kind(terms.front()))));
-    if (media.media().size() == 1) defines.emplace_back("ONE_MEDIUM");
-    if (media.even()) defines.emplace_back("EVEN_MEDIA");
-    return defines;
-}
-
-LightPrograms& LightProgramSet::with(std::vector<std::string> defines) {
-    const std::string key = fmt::format("{}", fmt::join(defines, ","));
-    if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
-    gpu::ProgramDesc desc = base_;
-    desc.defines = std::move(defines);
-    return programs_.try_emplace(key, std::move(desc)).first->second;
+    if (!std::ranges::all_of(terms, [&](const Term& term) { return kind(term) == kind(terms.front()); })) return {};
+    return kind(terms.front());
 }
 
 namespace {
@@ -52,7 +38,7 @@ void FroxelBeyond::draw_light(PassContext& context, const MediaBuffer& media, co
     const std::vector<Term>& terms = media.plan().terms(Solver::froxels);
     const unsigned bits = media_bits(terms, Term::Source::light, light);
     if (bits == 0) return;
-    LightPrograms& programs = lights_.with(media_defines(media, terms));
+    LightPrograms& programs = lights_.of(media, common_phase(media, terms));
     programs.begin();
     const gpu::Program& program = programs.use(frame, light, [&](const gpu::Program& fresh) {
         frame.seams.bind(Seam::light_transmittance, fresh, context);
@@ -73,7 +59,7 @@ void FroxelBeyond::draw(PassContext& context, const MediaBuffer& media, const Fr
     if ((glowing | lit) == 0) return;
     const gpu::Program& program = frame.shaders.program({.name = "participating_media.froxels.beyond_glow",
                                                          .fragment = "participating_media/froxels/beyond_glow.frag",
-                                                         .defines = media_defines(media, terms)});
+                                                         .defines = media_defines(media, common_phase(media, terms))});
     program.use();
     bind_frame(program, frame);
     bind(program, context, media, volume, light_steps);

@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "march/light_rectangle.h"
+#include "light_rectangle.h"
 
 namespace tyndall::participating_media {
 namespace {

@@ -50,7 +50,7 @@ class FroxelPass final : public Pass {
     const MediaSettings& settings_;
     FroxelHistory history_;
     gpu::Texture blue_noise_;
-    LightProgramSet light_programs_{
+    MediaPrograms light_programs_{
         {.name = "participating_media.froxels.light", .compute = "participating_media/froxels/light.comp"}};
     FroxelBeyond beyond_;
 };

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "march/march_pass.h"
 #include "render/draw_state.h"
-#include "render/seams.h"
 
 namespace tyndall::participating_media {
 
@@ -30,19 +28,17 @@ void GodRaysPass::execute(PassContext& context) {
     if (!plan.uses(Solver::god_rays)) return;
     context.bind_targets();
     const DrawState state(DepthState::off, BlendState::add);
-    for (auto& [phase, variants] : programs_) variants.begin();
+    programs_.begin();
     for (const Term& term : plan.terms(Solver::god_rays)) draw_term(context, term);
 }
 
 void GodRaysPass::draw_term(PassContext& context, const Term& term) {
     Frame& frame = context.frame();
-    const gpu::Program& program =
-        programs(media_->media()[term.medium].phase.kind).use(frame, term.light, [&](const gpu::Program& fresh) {
-            frame.seams.bind(Seam::light_transmittance, fresh, context);
-            media_->bind(fresh, settings_.light_steps);
-            fresh.texture("phase_tables", media_->phase_tables(), {.filter = gpu::Filter::linear});
-            fresh.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
-        });
+    const PhaseKind phase = media_->media()[term.medium].phase.kind;
+    const gpu::Program& program = programs_.of(*media_, phase).use(frame, term.light, [&](const gpu::Program& fresh) {
+        bind_light_source(fresh, context, *media_, settings_.light_steps);
+        fresh.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
+    });
     const glm::vec3 to_sun(frame.scene.lights[term.light].transform[2]);
     const glm::vec4 clip = frame.block.view_projection * glm::vec4(to_sun, 0.0f);
     program.set("sun_clip", glm::vec3(clip.x, clip.y, clip.w));
@@ -52,15 +48,6 @@ void GodRaysPass::draw_term(PassContext& context, const Term& term) {
     program.set("thickness", settings_.god_rays.thickness_m);
     program.set("edge_fade", settings_.god_rays.edge_fade);
     gpu::draw_fullscreen();
-}
-
-LightPrograms& GodRaysPass::programs(PhaseKind phase) {
-    if (const auto known = programs_.find(phase); known != programs_.end()) return known->second;
-    gpu::ProgramDesc desc{.name = "participating_media.god_rays",
-                          .fragment = "participating_media/god_rays/god_rays.frag",
-                          .defines = {fmt::format("PHASE_KIND {}", static_cast<int>(phase)), "ONE_MEDIUM", "EVEN_MEDIA",
-                                      "IGNORE_SHADOW_MAPS"}};
-    return programs_.try_emplace(phase, std::move(desc)).first->second;
 }
 
 }  // namespace tyndall::participating_media

@@ -1,15 +1,14 @@
 #pragma once
 /// The pass of screen-space god rays.
 
-#include <map>
 #include <memory>
 #include <string>
 
 #include "media_buffer.h"
+#include "media_programs.h"
 #include "media_settings.h"
 #include "render/frame.h"
 #include "render/frame_graph.h"
-#include "render/light_programs.h"
 
 namespace tyndall::participating_media {
 
@@ -29,11 +28,12 @@ class GodRaysPass final : public Pass {
 
  private:
     void draw_term(PassContext& context, const Term& term);
-    [[nodiscard]] LightPrograms& programs(PhaseKind phase);
 
     std::shared_ptr<MediaBuffer> media_;
     const MediaSettings& settings_;
-    std::map<PhaseKind, LightPrograms> programs_;
+    MediaPrograms programs_{{.name = "participating_media.god_rays",
+                             .fragment = "participating_media/god_rays/god_rays.frag",
+                             .defines = {"IGNORE_SHADOW_MAPS"}}};
 };
 
 }  // namespace tyndall::participating_media

@@ -3,13 +3,9 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include <array>
-
-#include "light_volumes/quadrature.h"
-#include "march/light_rectangle.h"
-#include "march/march_pass.h"
+#include "light_rectangle.h"
+#include "quadrature.h"
 #include "render/draw_state.h"
-#include "render/seams.h"
 
 namespace tyndall::participating_media {
 namespace {
@@ -120,14 +116,13 @@ void LightVolumesPass::resolve(PassContext& context, const Term& term) {
 
 const gpu::Program& LightVolumesPass::use(PassContext& context, Step step, const Term& term) {
     Frame& frame = context.frame();
+    // only the last step looks at the phase function
+    const PhaseKind phase = step == Step::resolve ? media_->media()[term.medium].phase.kind : PhaseKind{};
     LightPrograms& variants =
-        programs(step, media_->media()[term.medium].phase.kind, nodes(frame.scene.lights[term.light]));
+        programs_.at(static_cast<size_t>(step)).of(*media_, phase, {terms(), nodes(frame.scene.lights[term.light])});
     variants.begin();
     const gpu::Program& program = variants.use(frame, term.light, [&](const gpu::Program& fresh) {
-        if (step == Step::faces) return;
-        frame.seams.bind(Seam::light_transmittance, fresh, context);
-        media_->bind(fresh, settings_.light_steps);
-        fresh.texture("phase_tables", media_->phase_tables(), {.filter = gpu::Filter::linear});
+        if (step != Step::faces) bind_light_source(fresh, context, *media_, settings_.light_steps);
     });
     program.set("light_index", static_cast<unsigned>(term.light));
     program.set("medium", static_cast<int>(term.medium));
@@ -135,22 +130,12 @@ const gpu::Program& LightVolumesPass::use(PassContext& context, Step step, const
     return program;
 }
 
-LightPrograms& LightVolumesPass::programs(Step step, PhaseKind phase, int nodes) {
-    static constexpr std::array<std::string_view, 3> kFragments{"span", "faces", "resolve"};
-    if (step != Step::resolve) phase = PhaseKind{};
-    const bool one = media_->media().size() == 1;
-    const auto key = std::tuple(step, phase, one, media_->even(), terms(), nodes);
-    if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
-    const std::string_view fragment = kFragments[static_cast<size_t>(step)];
-    gpu::ProgramDesc desc{
-        .name = fmt::format("participating_media.light_volumes_{}", fragment),
-        .fragment = fmt::format("participating_media/light_volumes/{}.frag", fragment),
-        .defines = {"IGNORE_SHADOW_MAPS", fmt::format("TERMS {}", terms()), fmt::format("NODES {}", nodes),
-                    fmt::format("PHASE_KIND {}", static_cast<int>(phase))}};
-    if (step == Step::faces) desc.vertex = "participating_media/light_volumes/faces.vert";
-    if (one) desc.defines.emplace_back("ONE_MEDIUM");
-    if (media_->even()) desc.defines.emplace_back("EVEN_MEDIA");
-    return programs_.try_emplace(key, std::move(desc)).first->second;
+MediaPrograms LightVolumesPass::make_programs(std::string_view step) {
+    return MediaPrograms({.name = fmt::format("participating_media.light_volumes_{}", step),
+                          .vertex = step == "faces" ? "participating_media/light_volumes/faces.vert" : "",
+                          .fragment = fmt::format("participating_media/light_volumes/{}.frag", step),
+                          .defines = {"IGNORE_SHADOW_MAPS"}},
+                         {"TERMS", "NODES"});
 }
 
 }  // namespace tyndall::participating_media

@@ -1,17 +1,17 @@
 #pragma once
 /// The pass of polygonal light volumes.
 
-#include <map>
+#include <array>
 #include <memory>
 #include <string>
-#include <tuple>
+#include <string_view>
 
 #include "light_volumes/light_meshes.h"
 #include "media_buffer.h"
+#include "media_programs.h"
 #include "media_settings.h"
 #include "render/frame.h"
 #include "render/frame_graph.h"
-#include "render/light_programs.h"
 
 namespace tyndall::participating_media {
 
@@ -46,7 +46,7 @@ class LightVolumesPass final : public Pass {
     const gpu::Program& use(PassContext& context, Step step, const Term& term);
     void draw_faces(PassContext& context, const Term& term);
     void resolve(PassContext& context, const Term& term);
-    [[nodiscard]] LightPrograms& programs(Step step, PhaseKind phase, int nodes);
+    [[nodiscard]] static MediaPrograms make_programs(std::string_view step);
     [[nodiscard]] int terms() const { return settings_.light_volumes.terms / 4 * 4; }
     /// A spot's light bends more sharply, at its edge, than the terms alone would need.
     [[nodiscard]] int nodes(const Light& light) const {
@@ -57,7 +57,7 @@ class LightVolumesPass final : public Pass {
     const MediaSettings& settings_;
     LightMeshes meshes_;
     Targets targets_;
-    std::map<std::tuple<Step, PhaseKind, bool, bool, int, int>, LightPrograms> programs_;
+    std::array<MediaPrograms, 3> programs_{make_programs("span"), make_programs("faces"), make_programs("resolve")};
 };
 
 }  // namespace tyndall::participating_media

@@ -3,7 +3,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include "march/light_rectangle.h"
+#include "light_rectangle.h"
 #include "media_textures.h"
 
 namespace tyndall::participating_media {
@@ -38,7 +38,7 @@ void MarchPass::execute(PassContext& context) {
     draw_distance(context);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);  // the distance stays
-    for (auto& [key, programs] : programs_) programs.begin();
+    programs_.begin();
     for (const Term& term : media_->plan().terms(Solver::ray_marched)) {
         if (term.source == Term::Source::light)
             draw_light(context, term.light, static_cast<int>(term.medium));
@@ -61,6 +61,7 @@ void MarchPass::draw_glow(PassContext& context, Term::Source source, int medium)
     bind_march(program, context);
     program.set("medium", medium);
     gpu::draw_fullscreen();
+    programs_.begin();  // the lights' program is no longer in use
 }
 
 void MarchPass::draw_distance(PassContext& context) {
@@ -78,13 +79,11 @@ void MarchPass::draw_light(PassContext& context, size_t light, int medium) {
     const glm::ivec2 size = glm::max(context.size() / pixel_step(settings_), glm::ivec2(1));
     const ScreenRectangle rectangle = light_rectangle(frame.scene.lights[light], frame.block.view_projection, size);
     if (rectangle.empty()) return;
-    const gpu::Program& program =
-        programs(media_->media()[static_cast<size_t>(medium)].phase.kind)
-            .use(frame, light, [&](const gpu::Program& fresh) {
-                frame.seams.bind(Seam::light_transmittance, fresh, context);
-                bind_march(fresh, context);
-                fresh.texture("phase_tables", media_->phase_tables(), {.filter = gpu::Filter::linear});
-            });
+    const gpu::Program& program = programs_.of(*media_, media_->media()[static_cast<size_t>(medium)].phase.kind)
+                                      .use(frame, light, [&](const gpu::Program& fresh) {
+                                          bind_light_source(fresh, context, *media_, settings_.light_steps);
+                                          bind_march(fresh, context);
+                                      });
     program.set("light_index", static_cast<unsigned>(light));
     program.set("medium", medium);
     glEnable(GL_SCISSOR_TEST);
@@ -107,18 +106,6 @@ void MarchPass::bind_common(const gpu::Program& program, PassContext& context) c
     program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
     program.set("pixel_step", pixel_step(settings_));
     program.set("farthest", kFarthest);
-}
-
-LightPrograms& MarchPass::programs(PhaseKind phase) {
-    const bool one = media_->media().size() == 1;
-    const bool even = media_->even();
-    const auto key = std::tuple(phase, one, even);
-    if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
-    gpu::ProgramDesc desc{.name = "participating_media.march", .fragment = "participating_media/march/march.frag"};
-    desc.defines.push_back(fmt::format("PHASE_KIND {}", static_cast<int>(phase)));
-    if (one) desc.defines.emplace_back("ONE_MEDIUM");
-    if (even) desc.defines.emplace_back("EVEN_MEDIA");
-    return programs_.try_emplace(key, std::move(desc)).first->second;
 }
 
 void FilterPass::declare(PassDeclaration& declaration) {

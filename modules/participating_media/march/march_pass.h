@@ -1,16 +1,13 @@
 #pragma once
 /// The passes that march single scattering: march, filter, gather.
 
-#include <map>
 #include <memory>
-#include <tuple>
 
 #include "media_buffer.h"
+#include "media_programs.h"
 #include "media_settings.h"
 #include "render/frame.h"
 #include "render/frame_graph.h"
-#include "render/light_programs.h"
-#include "render/seams.h"
 
 namespace tyndall::participating_media {
 
@@ -32,13 +29,11 @@ class MarchPass final : public Pass {
     void draw_glow(PassContext& context, Term::Source source, int medium);
     void bind_march(const gpu::Program& program, PassContext& context) const;
     void bind_common(const gpu::Program& program, PassContext& context) const;
-    /// Programs for this phase function, for one medium or several, even ones or any.
-    [[nodiscard]] LightPrograms& programs(PhaseKind phase);
 
     std::shared_ptr<MediaBuffer> media_;
     const MediaSettings& settings_;
     gpu::Texture blue_noise_;
-    std::map<std::tuple<PhaseKind, bool, bool>, LightPrograms> programs_;
+    MediaPrograms programs_{{.name = "participating_media.march", .fragment = "participating_media/march/march.frag"}};
 };
 
 /// At half resolution: averages 5x5 marched pixels of like distance into `media_marched_filtered`; the errors of the
@@ -72,8 +67,5 @@ class GatherPass final : public Pass {
     std::shared_ptr<MediaBuffer> media_;
     const MediaSettings& settings_;
 };
-
-/// Rays into the sky are marched to here at most, metres.
-inline constexpr float kFarthest = 1e4f;
 
 }  // namespace tyndall::participating_media

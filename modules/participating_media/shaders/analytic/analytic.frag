@@ -1,8 +1,8 @@
 // Single scattering of one light whose shadows are not looked for in one medium, along the eye ray, without a march:
-// Gauss-Legendre quadrature in the variable in which what reaches the eye is nearly even (light_volumes/parameter.glsl).
+// Gauss-Legendre quadrature in the variable in which what reaches the eye is nearly even (span.glsl).
 // It converges exponentially, since nothing on the way jumps; no noise, no bands.
 #include "participating_media/light_source.glsl"
-#include "participating_media/light_volumes/parameter.glsl"
+#include "participating_media/span.glsl"
 
 uniform sampler2D scene_depth;
 uniform float farthest;     // metres; rays that hit nothing end here

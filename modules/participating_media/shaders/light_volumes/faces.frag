@@ -1,7 +1,7 @@
 // Where the eye ray leaves the light (back faces: added) and comes into it (front faces: taken away): integrals of the
 // Legendre polynomials up to there. All faces together: the moments of the light's visibility along the ray. What lies
 // before the span or behind it counts as at its ends: no face need be cut at a surface.
-#include "participating_media/light_volumes/parameter.glsl"
+#include "participating_media/span.glsl"
 
 uniform sampler2D spans;
 

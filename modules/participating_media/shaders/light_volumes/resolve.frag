@@ -1,7 +1,7 @@
 // Single scattering of one light in one medium, once for each pixel: Gauss-Legendre quadrature, each node with its
 // share of light as the moments of the visibility tell it.
 #include "participating_media/light_source.glsl"
-#include "participating_media/light_volumes/parameter.glsl"
+#include "participating_media/span.glsl"
 
 uniform sampler2D spans;
 uniform sampler2DArray moments;  // layer k: those of degree 4k..4k+3

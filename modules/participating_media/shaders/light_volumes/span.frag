@@ -1,6 +1,6 @@
-// The part of each eye ray that one light's volume and one medium share, as light_volumes/parameter.glsl wants it.
+// The part of each eye ray that one light's volume and one medium share, as span.glsl wants it.
 #include "participating_media/light_source.glsl"
-#include "participating_media/light_volumes/parameter.glsl"
+#include "participating_media/span.glsl"
 
 uniform sampler2D scene_depth;
 uniform float farthest;  // metres; rays that hit nothing end here

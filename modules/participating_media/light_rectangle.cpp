@@ -1,4 +1,4 @@
-#include "march/light_rectangle.h"
+#include "light_rectangle.h"
 
 #include <glm/common.hpp>
 

@@ -1,4 +1,4 @@
-#include "light_volumes/quadrature.h"
+#include "quadrature.h"
 
 #include <cmath>
 #include <numbers>
