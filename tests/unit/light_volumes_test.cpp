@@ -10,8 +10,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
 
-#include "quadrature.h"
 #include "light_volumes/triangulation.h"
+#include "quadrature.h"
 
 namespace tyndall::participating_media {
 namespace {
