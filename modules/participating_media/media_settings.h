@@ -137,6 +137,7 @@ inline void describe(StructBuilder<FroxelSettings>& d) {
 struct MediaSettings {
     static constexpr std::string_view kName = "participating_media";
     bool enabled = true;
+    int32_t auto_marches = 4;
     Resolution resolution = Resolution::full;
     int32_t steps = 12;
     int32_t light_steps = 8;
@@ -152,6 +153,10 @@ struct MediaSettings {
 inline void describe(StructBuilder<MediaSettings>& d) {
     d.doc("Single scattering in media. The march's error falls with the number of steps, its time grows with it.");
     d.field("enabled", &MediaSettings::enabled, "Off: media neither glow nor dim.");
+    d.field("auto_marches", &MediaSettings::auto_marches,
+            "The solver auto marches as long as there are no more pairs of a light and a medium to march than this; "
+            "beyond, the froxels are cheaper.")
+        .range(0, 1 << 20);
     d.field("resolution", &MediaSettings::resolution, "Half marches a quarter of the pixels and upsamples by depth.",
             {"full", "half"});
     d.field("steps", &MediaSettings::steps,

@@ -17,6 +17,7 @@ class ParticipatingMedia final : public Module {
         const auto media = std::make_shared<MediaBuffer>();
         registrar.component<MediumComponent>(extract_medium);
         const MediaSettings& settings = registrar.settings<MediaSettings>();
+        registrar.pass(std::make_unique<UploadPass>(media, settings));
         registrar.pass(std::make_unique<MarchPass>(media, settings));
         registrar.pass(std::make_unique<FilterPass>(media, settings));
         registrar.pass(std::make_unique<GatherPass>(media, settings));
@@ -26,8 +27,7 @@ class ParticipatingMedia final : public Module {
         registrar.pass(std::make_unique<GodRaysPass>(media, settings));
         const auto froxels = std::make_shared<FroxelVolume>();
         registrar.pass(std::make_unique<FroxelPass>(media, froxels, settings));
-        const auto bind_media = [media, &settings](const gpu::Program& program, PassContext& context) {
-            media->update(context.frame().scene, settings.enabled);
+        const auto bind_media = [media, &settings](const gpu::Program& program, PassContext&) {
             media->bind(program, settings.light_steps);
         };
         registrar.seam(Seam::light_transmittance, {.name = "participating_media",

@@ -31,8 +31,6 @@ void MarchPass::declare(PassDeclaration& declaration) {
 
 void MarchPass::execute(PassContext& context) {
     if (blue_noise_.name() == 0) blue_noise_ = make_blue_noise();
-    Frame& frame = context.frame();
-    media_->update(frame.scene, settings_.enabled);
     if (!media_->plan().uses(Solver::ray_marched)) return;
     context.bind_targets();
     draw_distance(context);
