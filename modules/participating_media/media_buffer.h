@@ -40,6 +40,8 @@ class MediaBuffer {
     [[nodiscard]] bool even() const { return even_; }
     /// Sets all that media.glsl declares; `light_steps` are samples through noise and grids.
     void bind(const gpu::Program& program, int light_steps) const;
+    /// Says once for each text what the module leaves out.
+    void warn_once(std::string_view what);
     [[nodiscard]] const gpu::Texture& phase_tables() const { return textures_.phase_tables(); }
 
  private:
@@ -49,9 +51,6 @@ class MediaBuffer {
     void add_density(Blocks& blocks, const DensityField& density, double time_s);
     void add_blobs(Blocks& blocks, const BlobDensity& field);
     [[nodiscard]] glm::vec4 grid_size(const GridDensity& grid) const;
-    /// Says once for each text what the module leaves out.
-    void warn_once(std::string_view what);
-
     gpu::Buffer buffer_, blobs_;
     MediaTextures textures_;
     std::vector<Medium> media_;

@@ -8,6 +8,7 @@
 #include "march/march_pass.h"
 #include "medium_component.h"
 #include "module/module.h"
+#include "segment.h"
 
 namespace tyndall::participating_media {
 
@@ -39,11 +40,8 @@ class ParticipatingMedia final : public Module {
                         .include = "participating_media/segment.glsl",
                         .function = "participating_media_segment",
                         .reads = {"media_in_scatter"},
-                        .bind = [bind_media, froxels](const gpu::Program& program, PassContext& context) {
-                            bind_media(program, context);
-                            froxels->bind(program);
-                            program.texture("media_in_scatter", context.texture("media_in_scatter"),
-                                            {.filter = gpu::Filter::nearest});
+                        .bind = [media, froxels, &settings](const gpu::Program& program, PassContext& context) {
+                            bind_segment(program, context, *media, *froxels, settings);
                         }});
     }
 };

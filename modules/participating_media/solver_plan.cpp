@@ -89,7 +89,8 @@ void SolverPlan::update(const RenderScene& scene, const std::vector<Medium>& med
     for (size_t medium = 0; medium < media.size(); ++medium) {
         if (media[medium].sigma_s_per_m != glm::vec3(0.0f))
             for (size_t light = 0; light < scene.lights.size(); ++light) place({Term::Source::light, light, medium});
-        if (environment && media[medium].sigma_s_per_m != glm::vec3(0.0f)) place({Term::Source::environment, 0, medium});
+        if (environment && media[medium].sigma_s_per_m != glm::vec3(0.0f))
+            place({Term::Source::environment, 0, medium});
         if (media[medium].emission_cd_m2_per_m != glm::vec3(0.0f) || media[medium].temperature)
             place({Term::Source::emission, 0, medium});
     }
