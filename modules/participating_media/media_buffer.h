@@ -42,6 +42,7 @@ class MediaBuffer {
     void bind(const gpu::Program& program, int light_steps) const;
     /// Says once for each text what the module leaves out.
     void warn_once(std::string_view what);
+    [[nodiscard]] const gpu::Texture& grids() const { return textures_.grids(); }
     [[nodiscard]] const gpu::Texture& phase_tables() const { return textures_.phase_tables(); }
 
  private:

@@ -10,6 +10,7 @@ enum class Resolution { full, half };
 /// The solver analytic.
 struct AnalyticSettings {
     int32_t nodes = 6;
+    bool surface_glow = false;
 };
 
 inline void describe(StructBuilder<AnalyticSettings>& d) {
@@ -17,6 +18,9 @@ inline void describe(StructBuilder<AnalyticSettings>& d) {
     d.field("nodes", &AnalyticSettings::nodes,
             "Places on a ray. The error falls exponentially with their number, the time grows with it.")
         .range(2, 64);
+    d.field("surface_glow", &AnalyticSettings::surface_glow,
+            "Fog around point lights that this solver renders lights surfaces too: light of the second order, which no "
+            "other solver has.");
 }
 
 /// Polygonal light volumes.

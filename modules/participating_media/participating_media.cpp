@@ -1,6 +1,7 @@
 // The module: what it registers.
 
 #include "analytic/analytic_pass.h"
+#include "analytic/surface_glow.h"
 #include "epipolar/epipolar_pass.h"
 #include "froxels/froxel_pass.h"
 #include "god_rays/god_rays_pass.h"
@@ -35,6 +36,14 @@ class ParticipatingMedia final : public Module {
                                                    .include = "participating_media/transmittance.glsl",
                                                    .function = "participating_media_transmittance",
                                                    .bind = bind_media});
+        registrar.seam(Seam::indirect_light, {.name = "participating_media",
+                                              .include = "participating_media/analytic/surface_glow.glsl",
+                                              .function = "participating_media_surface_glow",
+                                              .bind = [bind_media, media, glow = std::make_shared<SurfaceGlow>(),
+                                                       &settings](const gpu::Program& program, PassContext& context) {
+                                                  bind_media(program, context);
+                                                  glow->bind(program, context.frame().scene, *media, settings);
+                                              }});
         registrar.seam(Seam::media_segment,
                        {.name = "participating_media",
                         .include = "participating_media/segment.glsl",
