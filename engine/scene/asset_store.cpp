@@ -37,8 +37,7 @@ struct AssetStore::Implementation {
     Cache<VolumeAsset>& volumes_of(const GridChoice& grid) {
         const auto found = volumes.find(grid);
         if (found != volumes.end()) return found->second;
-        const auto load = [grid](const fs::path& file, std::string_view name,
-                                                     std::vector<fs::path>& sources) {
+        const auto load = [grid](const fs::path& file, std::string_view name, std::vector<fs::path>& sources) {
             return VolumeAsset{
                 .id = new_asset_id(), .name = std::string(name), .volume = load_volume(file, grid, &sources)};
         };
