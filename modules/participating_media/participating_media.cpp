@@ -10,6 +10,7 @@
 #include "medium_component.h"
 #include "module/module.h"
 #include "segment.h"
+#include "shadows/media_shadows.h"
 
 namespace tyndall::participating_media {
 
@@ -20,6 +21,8 @@ class ParticipatingMedia final : public Module {
         registrar.component<MediumComponent>(extract_medium);
         const MediaSettings& settings = registrar.settings<MediaSettings>();
         registrar.pass(std::make_unique<UploadPass>(media, settings));
+        const auto shadows = std::make_shared<MediaShadows>();
+        registrar.pass(std::make_unique<MediaShadowsPass>(media, shadows, settings));
         registrar.pass(std::make_unique<MarchPass>(media, settings));
         registrar.pass(std::make_unique<FilterPass>(media, settings));
         registrar.pass(std::make_unique<GatherPass>(media, settings));
@@ -35,7 +38,12 @@ class ParticipatingMedia final : public Module {
         registrar.seam(Seam::light_transmittance, {.name = "participating_media",
                                                    .include = "participating_media/transmittance.glsl",
                                                    .function = "participating_media_transmittance",
-                                                   .bind = bind_media});
+                                                   .reads = {"media_shadows"},
+                                                   .bind = [bind_media, shadows, &settings](
+                                                               const gpu::Program& program, PassContext& context) {
+                                                       bind_media(program, context);
+                                                       shadows->bind(program, settings);
+                                                   }});
         registrar.seam(Seam::indirect_light, {.name = "participating_media",
                                               .include = "participating_media/analytic/surface_glow.glsl",
                                               .function = "participating_media_surface_glow",

@@ -74,9 +74,8 @@ float grid_value(vec3 place, vec4 size) {
 
 #ifndef EVEN_MEDIA
 // Noise, grids and gradients: what has no closed form along a line. What of noise is finer than samples `spacing` metres
-// apart fades into its mean.
-float sampled_density(int i, vec3 p, float spacing) {
-    vec3 place = (media[i].field_from_world * vec4(p, 1.0)).xyz;
+// apart fades into its mean. `place` is field_from_world of p: along a line it grows by equal steps.
+float sampled_density(int i, vec3 p, vec3 place, float spacing) {
     float density = 0.0;
     for (int k = 0; k < int(min(media[i].sampled.x, 1.0)); ++k) {
         for (int swirls = 0; swirls < (media[i].noise.y > 0.0 ? 1 : 0); ++swirls)
@@ -121,13 +120,18 @@ float density_share(int i, vec3 p) {
 
 // Density of medium i at a place inside its box, for samples `spacing` metres apart; 0 for the density itself.
 float medium_density(int i, vec3 p, float spacing) {
-    float density = closed_density(i, p) + sampled_density(i, p, spacing);
+    float density = closed_density(i, p) + sampled_density(i, p, (media[i].field_from_world * vec4(p, 1.0)).xyz, spacing);
     for (int k = 0; k < int(media[i].shape.y); ++k) density *= density_share(i, p);
     return density;
 }
 
-// Integral of the density along [t0, t1] inside medium i's box, metres; what has no closed form is taken `samples` times.
-float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) {
+// Whether anything of medium i has no closed form along a line: noise, grids, gradients, and all that mask and layer multiply.
+bool medium_uneven(int i) {
+    return media[i].shape.y + media[i].sampled.x + media[i].grid_size.x + media[i].ramp_from.w > 0.0;
+}
+
+// Integral of the density along [t0, t1] inside medium i's box, metres: the part that has a closed form.
+float closed_column(int i, vec3 origin, vec3 direction, float t0, float t1) {
     float ds = t1 - t0;
     bool shared_out = media[i].shape.y > 0.0;  // mask and layer multiply: nothing has a closed form
     float column = shared_out ? 0.0 : media[i].emission_even.w * ds;
@@ -138,11 +142,20 @@ float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int 
     for (int k = 0; k < (media[i].blobs_height.w > 0.0 && !shared_out ? 1 : 0); ++k)
         column += height_fog_optical_depth(1.0, media[i].blobs_height.z, 1.0 / media[i].blobs_height.w, origin.y + t0 * direction.y,
                                            origin.y + t1 * direction.y, ds);
-    int count = shared_out || media[i].sampled.x + media[i].grid_size.x + media[i].ramp_from.w > 0.0 ? samples : 0;
-    float step_m = ds / float(samples);
+    return column;
+}
+
+// The rest, taken `samples` times.
+float sampled_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) {
+    float column = 0.0;
+    int count = t0 < t1 && medium_uneven(i) ? samples : 0;
+    float step_m = (t1 - t0) / float(samples);
+    mat4 field = media[i].field_from_world;
+    vec3 place = (field * vec4(origin + direction * (t0 + media_sample_offset * step_m), 1.0)).xyz;
+    vec3 place_step = mat3(field) * direction * step_m;
     for (int s = 0; s < count; ++s) {
         vec3 p = origin + direction * (t0 + (float(s) + media_sample_offset) * step_m);
-        float density = sampled_density(i, p, step_m);
+        float density = sampled_density(i, p, place + float(s) * place_step, step_m);
         for (int k = 0; k < int(media[i].shape.y); ++k) density = (density + closed_density(i, p)) * density_share(i, p);
         column += density * step_m;
     }
@@ -150,8 +163,14 @@ float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int 
 }
 #else
 float medium_density(int i, vec3 p, float spacing) { return 1.0; }
-float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) { return t1 - t0; }
+bool medium_uneven(int i) { return false; }
+float closed_column(int i, vec3 origin, vec3 direction, float t0, float t1) { return t1 - t0; }
+float sampled_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) { return 0.0; }
 #endif
+// Integral of the density along [t0, t1] inside medium i's box, metres.
+float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) {
+    return closed_column(i, origin, direction, t0, t1) + sampled_column(i, origin, direction, t0, t1, samples);
+}
 float medium_density(int i, vec3 p) { return medium_density(i, p, 0.0); }
 
 // Radiance that medium i gives off per metre where its density is 1.
@@ -173,6 +192,28 @@ vec3 media_optical_depth(vec3 origin, vec3 direction, float t_begin, float t_end
         bool inside = clip_to_medium(i, origin, direction, t0, t1);
         t1 = inside ? t1 : t0;
         depth += media[i].sigma_t.rgb * medium_column(i, origin, direction, t0, t1, samples);
+    }
+    return depth;
+}
+
+// The same of what has a closed form, and of what has none.
+vec3 media_closed_depth(vec3 origin, vec3 direction, float t_begin, float t_end) {
+    vec3 depth = vec3(0.0);
+    for (int i = 0; i < media_count; ++i) {
+        float t0 = t_begin, t1 = t_end;
+        bool inside = clip_to_medium(i, origin, direction, t0, t1);
+        t1 = inside ? t1 : t0;
+        depth += media[i].sigma_t.rgb * closed_column(i, origin, direction, t0, t1);
+    }
+    return depth;
+}
+vec3 media_uneven_depth(vec3 origin, vec3 direction, float t_begin, float t_end, int samples) {
+    vec3 depth = vec3(0.0);
+    for (int i = 0; i < media_count; ++i) {
+        float t0 = t_begin, t1 = t_end;
+        bool inside = clip_to_medium(i, origin, direction, t0, t1);
+        t1 = inside ? t1 : t0;
+        depth += media[i].sigma_t.rgb * sampled_column(i, origin, direction, t0, t1, samples);
     }
     return depth;
 }
