@@ -53,8 +53,8 @@ void MediaShadows::plan(Block& block, const RenderScene& scene, const UnevenMedi
                         const MediaSettings& settings) {
     const MediaShadowSettings& shadows = settings.shadows;
     const bool maps = shadows.method != ShadowMethod::march && shadows.method != ShadowMethod::clipmap;
-    fourier_ = shadows.method == ShadowMethod::fourier_map;
-    layers_ = fourier_ ? 1 + 2 * shadows.terms : shadows.layers;
+    const bool fourier = shadows.method == ShadowMethod::fourier_map;
+    layers_ = fourier ? 1 + 2 * shadows.terms : shadows.layers;
     for (size_t i = 0; i < std::min(scene.lights.size(), kMappedLights); ++i) {
         GpuShadow& record = block.lights[i];
         const std::optional<ShadowFit> fit = fit_shadow_map(scene.lights[i], uneven, shadows.size);
@@ -64,13 +64,15 @@ void MediaShadows::plan(Block& block, const RenderScene& scene, const UnevenMedi
             record.origin_kind = glm::vec4(fit->origin, static_cast<float>(fit->kind));
             record.depths = {fit->near_m, 1.0f / (fit->far_m - fit->near_m), static_cast<float>(layers_ - 1),
                              static_cast<float>(static_cast<int>(wanted_.size()) * layers_) + 0.5f};
-            record.turns = {fourier_ ? 0 : 1, fourier_ ? shadows.terms : 0, 0, 0};
+            record.turns = {fourier ? 0 : 1, fourier ? shadows.terms : 0, 0, 0};
+            (fourier ? kinds_.fourier : kinds_.opacity) = true;
             wanted_.push_back({*fit, media_version_, shadows});
         } else if (shadows.method == ShadowMethod::march) {
             record.turns.w = settings.light_steps;
+            kinds_.marched = true;
         } else {
             record.turns.z = 1;
-            uses_clipmap_ = true;
+            kinds_.clipmap = true;
         }
     }
 }
@@ -101,16 +103,17 @@ void MediaShadows::update(Frame& frame, const MediaBuffer& media, const MediaSet
     const UnevenMedia uneven = uneven_media(media.media(), frame.scene);
     closed_ = uneven.corners.size() < 8 * media.media().size();
     made_ = 0;
-    uses_clipmap_ = false;
+    kinds_ = {.marched = !uneven.empty() && frame.scene.lights.size() > kMappedLights};
     wanted_.clear();
     Block block;
     if (!uneven.empty()) {
         update_version(media);
         plan(block, frame.scene, uneven, settings);
     }
+    frame.shaders.set_text("participating_media/media_kinds.glsl", media_kinds(media.media(), kinds_));
     make_textures();
     make_maps(frame.shaders, media);
-    if (uses_clipmap_) {
+    if (kinds_.clipmap) {
         clipmap_.update(frame.shaders, media, uneven.bounds, glm::vec3(frame.scene.camera.transform[3]),
                         settings.shadows, media_version_);
         made_ += clipmap_.filled();
@@ -128,7 +131,7 @@ void MediaShadows::make_maps(gpu::ShaderLibrary& shaders, const MediaBuffer& med
         if (program == nullptr) {
             gpu::ProgramDesc desc{.name = "participating_media.shadows.map",
                                   .compute = "participating_media/shadows/map.comp"};
-            if (fourier_) desc.defines = {fmt::format("TERMS {}", wanted_[i].settings.terms)};
+            if (kinds_.fourier) desc.defines = {fmt::format("TERMS {}", wanted_[i].settings.terms)};
             program = &shaders.program(desc);
             program->use();
             media.bind(*program, 1);
@@ -171,7 +174,7 @@ void MediaShadows::bind(const gpu::Program& program, const MediaSettings& settin
     program.texture("media_shadow_maps", maps_.name() != 0 ? maps_ : nothing_, {.filter = gpu::Filter::linear});
     program.set("media_closed", closed_ ? 1 : 0);
     program.set("media_shadows_others", settings.light_steps);
-    if (uses_clipmap_)
+    if (kinds_.clipmap)
         clipmap_.bind(program, settings.shadows);
     else
         program.texture("media_clipmap", nothing_);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "media_buffer.h"
+#include "media_kinds.h"
 #include "media_settings.h"
 #include "render/frame_graph.h"
 #include "shadows/extinction_clipmap.h"
@@ -46,8 +47,7 @@ class MediaShadows {
     uint64_t media_version_ = 0;
     std::string media_key_, uploaded_;
     bool closed_ = true;          ///< some medium has a closed form
-    bool uses_clipmap_ = false;   ///< some light of this frame
-    bool fourier_ = false;        ///< what the maps hold
+    ShadowKinds kinds_;           ///< of this frame's lights
     int layers_ = 0;              ///< of a map
     int made_ = 0;
     gpu::Texture maps_, nothing_;

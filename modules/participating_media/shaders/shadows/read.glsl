@@ -52,15 +52,23 @@ vec3 fourier_depth(uint light, vec3 at, int terms) {
 }
 
 vec3 light_uneven_depth(uint light, vec3 p, vec3 to_light, float metres) {
-    if (light >= uint(kMappedLights)) return media_uneven_depth(p, to_light, 0.0, metres, media_shadows_others);
-    ivec4 turns = media_shadows[light].turns;
     vec3 depth = vec3(0.0);
+    bool known = light < uint(kMappedLights);
+    ivec4 turns = known ? media_shadows[light].turns : ivec4(0, 0, 0, media_shadows_others);
+#ifdef MEDIA_SHADOWS_OPACITY
     for (int k = 0; k < turns.x; ++k) {
         vec3 at = shadow_map_place(light, p);
         depth = shadow_map_texel(at.xy, media_shadows[light].depths.w + at.z * media_shadows[light].depths.z);
     }
+#endif
+#ifdef MEDIA_SHADOWS_FOURIER
     for (int k = 0; k < min(turns.y, 1); ++k) depth = fourier_depth(light, shadow_map_place(light, p), turns.y);
+#endif
+#ifdef MEDIA_SHADOWS_CLIPMAP
     for (int k = 0; k < turns.z; ++k) depth = clipmap_depth(p, to_light, metres);
+#endif
+#ifdef MEDIA_SHADOWS_MARCHED
     for (int k = 0; k < min(turns.w, 1); ++k) depth = media_uneven_depth(p, to_light, 0.0, metres, turns.w);
+#endif
     return depth;
 }
