@@ -146,7 +146,7 @@ struct MediaShadowSettings {
     int32_t size = 128;
     int32_t layers = 64;
     int32_t samples = 2;
-    int32_t terms = 4;
+    int32_t terms = 8;
     int32_t maps = 8;
     int32_t voxels = 64;
     int32_t levels = 2;
@@ -169,7 +169,7 @@ inline void describe(StructBuilder<MediaShadowSettings>& d) {
     d.field("samples", &MediaShadowSettings::samples,
             "Samples of the density from a depth to the next, and along each side of a voxel of the clipmap.")
         .range(1, 16);
-    d.field("terms", &MediaShadowSettings::terms, "Of a Fourier map: cosines and sines.").range(1, 16);
+    d.field("terms", &MediaShadowSettings::terms, "Cosines of a Fourier map.").range(1, 32);
     d.field("maps", &MediaShadowSettings::maps, "So many lights have a map; those beyond share the clipmap.")
         .range(0, 64);
     d.field("voxels", &MediaShadowSettings::voxels, "Along a side of each level of the clipmap.").range(8, 256);

@@ -3,33 +3,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace tyndall::participating_media {
-namespace {
-
-constexpr int kStepsAcross = 8;  ///< in which a level's box moves
-
-}  // namespace
-
-std::vector<Bounds> clipmap_boxes(const Bounds& media, const glm::vec3& camera, int levels, int voxels) {
-    std::vector<Bounds> boxes;
-    const glm::vec3 whole = glm::max(media.size(), glm::vec3(1e-4f));
-    const int steps = std::min(kStepsAcross, voxels);
-    for (int level = 0; level < levels; ++level) {
-        const int shrink = 1 << (levels - 1 - level);
-        const glm::vec3 extent = whole / static_cast<float>(shrink);
-        const glm::vec3 step = extent / static_cast<float>(steps);
-        const glm::vec3 wanted = glm::round((camera - 0.5f * extent - media.low) / step);
-        const glm::vec3 at = glm::clamp(wanted, glm::vec3(0.0f), glm::vec3(static_cast<float>((shrink - 1) * steps)));
-        Bounds box;
-        box.low = media.low + at * step;
-        box.high = box.low + extent;
-        boxes.push_back(box);
-    }
-    return boxes;
-}
-
 void ExtinctionClipmap::update(gpu::ShaderLibrary& shaders, const MediaBuffer& media, const Bounds& bounds,
                                const glm::vec3& camera, const MediaShadowSettings& settings, uint64_t media_version) {
     const auto count = static_cast<size_t>(settings.levels);

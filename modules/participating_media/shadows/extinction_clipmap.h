@@ -7,15 +7,9 @@
 #include "geometry/bounds.h"
 #include "media_buffer.h"
 #include "media_settings.h"
+#include "shadows/shadow_fit.h"
 
 namespace tyndall::participating_media {
-
-inline constexpr int kMostClipmapLevels = 6;
-
-/// The boxes of all levels, finest first. The last is that of all uneven media; each before it is half as wide along
-/// each axis and lies as near to the camera as it can without leaving the last. They move in steps of an eighth of
-/// their width, so voxels keep their places in the world.
-[[nodiscard]] std::vector<Bounds> clipmap_boxes(const Bounds& media, const glm::vec3& camera, int levels, int voxels);
 
 /// One texture, levels stacked along z. Levels are filled as a whole, when their box or the media changed. Makes its
 /// GL objects when first used.

@@ -54,7 +54,7 @@ void MediaShadows::plan(Block& block, const RenderScene& scene, const UnevenMedi
     const MediaShadowSettings& shadows = settings.shadows;
     const bool maps = shadows.method != ShadowMethod::march && shadows.method != ShadowMethod::clipmap;
     const bool fourier = shadows.method == ShadowMethod::fourier_map;
-    layers_ = fourier ? 1 + 2 * shadows.terms : shadows.layers;
+    layers_ = fourier ? 1 + shadows.terms : shadows.layers;
     for (size_t i = 0; i < std::min(scene.lights.size(), kMappedLights); ++i) {
         GpuShadow& record = block.lights[i];
         const std::optional<ShadowFit> fit = fit_shadow_map(scene.lights[i], uneven, shadows.size);
@@ -189,7 +189,6 @@ void MediaShadowsPass::declare(PassDeclaration& declaration) {
 }
 
 void MediaShadowsPass::execute(PassContext& context) {
-    media_->update(context.frame().scene, settings_.enabled);
     shadows_->update(context.frame(), *media_, settings_);
 }
 

@@ -11,6 +11,8 @@ namespace {
 
 constexpr float kWidestPyramid = 3.0f;  ///< tan of the half angle; beyond, texels in its corners are too small
 
+constexpr int kStepsAcross = 8;       ///< in which a level's box moves
+
 /// A rectangle of u, v before it becomes [0, 1]^2.
 struct Rectangle {
     glm::vec2 low{1e30f}, high{-1e30f};
@@ -136,6 +138,24 @@ std::optional<ShadowFit> fit_shadow_map(const Light& light, const UnevenMedia& m
     if (light.range_m > 0.0f) fit->far_m = std::min(fit->far_m, light.range_m);
     if (fit->far_m <= fit->near_m) return std::nullopt;
     return fit;
+}
+
+std::vector<Bounds> clipmap_boxes(const Bounds& media, const glm::vec3& camera, int levels, int voxels) {
+    std::vector<Bounds> boxes;
+    const glm::vec3 whole = glm::max(media.size(), glm::vec3(1e-4f));
+    const int steps = std::min(kStepsAcross, voxels);
+    for (int level = 0; level < levels; ++level) {
+        const int shrink = 1 << (levels - 1 - level);
+        const glm::vec3 extent = whole / static_cast<float>(shrink);
+        const glm::vec3 step = extent / static_cast<float>(steps);
+        const glm::vec3 wanted = glm::round((camera - 0.5f * extent - media.low) / step);
+        const glm::vec3 at = glm::clamp(wanted, glm::vec3(0.0f), glm::vec3(static_cast<float>((shrink - 1) * steps)));
+        Bounds box;
+        box.low = media.low + at * step;
+        box.high = box.low + extent;
+        boxes.push_back(box);
+    }
+    return boxes;
 }
 
 }  // namespace tyndall::participating_media

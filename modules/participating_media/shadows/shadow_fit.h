@@ -43,4 +43,9 @@ struct ShadowFit {
 /// The fit for a map of `size` texels on a side; none when the light reaches no medium.
 [[nodiscard]] std::optional<ShadowFit> fit_shadow_map(const Light& light, const UnevenMedia& media, int size);
 
+/// The boxes of all levels of the clipmap (shadows/extinction_clipmap.h), finest first. The last is that of all uneven media; each before it is half as wide along
+/// each axis and lies as near to the camera as it can without leaving the last. They move in steps of an eighth of
+/// their width, so voxels keep their places in the world.
+[[nodiscard]] std::vector<Bounds> clipmap_boxes(const Bounds& media, const glm::vec3& camera, int levels, int voxels);
+
 }  // namespace tyndall::participating_media

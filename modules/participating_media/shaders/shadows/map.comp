@@ -1,7 +1,8 @@
 // A light's map of the uneven media's optical depth: a thread follows a ray away from the light.
 //
 // An opacity shadow map (Kim & Neumann 2001) holds what has gathered up to each of its planes; a Fourier opacity map (Jansen
-// & Bavoil 2010) the coefficients of that function's series.
+// & Bavoil 2010) the coefficients of that function's series. Here the extinction is mirrored at the farthest plane: cosines
+// alone are left, and nothing jumps from the end to the beginning, where the paper's series rings around a light in smoke.
 #include "participating_media/media.glsl"
 #include "participating_media/shadows/mapping.glsl"
 
@@ -31,8 +32,8 @@ void main() {
     float step_m = (map_range.y - map_range.x) / float(map_planes - 1);
     vec3 gathered = vec3(0.0);
 #ifdef TERMS
-    vec3 cosines[TERMS], sines[TERMS];
-    for (int k = 0; k < TERMS; ++k) cosines[k] = sines[k] = vec3(0.0);
+    vec3 cosines[TERMS];
+    for (int k = 0; k < TERMS; ++k) cosines[k] = vec3(0.0);
 #else
     imageStore(shadow_map, ivec3(texel, first_layer), vec4(0.0));
 #endif
@@ -41,14 +42,12 @@ void main() {
         vec3 depth = media_uneven_depth(origin, direction, t - step_m, t, map_samples);
         gathered += depth;
 #ifdef TERMS
-        // the stretch's depth spread evenly over it: its middle's cosine times sinc of half its width
-        float angle = 2.0 * kPi * (float(plane) - 0.5) / float(map_planes - 1);
-        float width = kPi / float(map_planes - 1);
+        // the stretch's depth spread evenly over it: its middle's cosine times sinc of half its width; integrated, a sine
+        float angle = kPi * (float(plane) - 0.5) / float(map_planes - 1);
+        float width = 0.5 * kPi / float(map_planes - 1);
         for (int k = 0; k < TERMS; ++k) {
             float order = float(k + 1);
-            vec3 share = depth * (sin(order * width) / (order * width * kPi * order));
-            cosines[k] += share * cos(order * angle);
-            sines[k] += share * sin(order * angle);
+            cosines[k] += depth * (cos(order * angle) * sin(order * width) / (order * width) * 2.0 / (kPi * order));
         }
 #else
         imageStore(shadow_map, ivec3(texel, first_layer + plane), vec4(gathered, 0.0));
@@ -56,9 +55,6 @@ void main() {
     }
 #ifdef TERMS
     imageStore(shadow_map, ivec3(texel, first_layer), vec4(gathered, 0.0));
-    for (int k = 0; k < TERMS; ++k) {
-        imageStore(shadow_map, ivec3(texel, first_layer + 2 * k + 1), vec4(cosines[k], 0.0));
-        imageStore(shadow_map, ivec3(texel, first_layer + 2 * k + 2), vec4(sines[k], 0.0));
-    }
+    for (int k = 0; k < TERMS; ++k) imageStore(shadow_map, ivec3(texel, first_layer + k + 1), vec4(cosines[k], 0.0));
 #endif
 }

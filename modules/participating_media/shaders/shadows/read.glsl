@@ -42,11 +42,13 @@ vec3 fourier_depth(uint light, vec3 at, int terms) {
     float layer = media_shadows[light].depths.w;
     vec3 whole = shadow_map_texel(at.xy, layer);
     vec3 depth = whole * at.z;
-    vec2 turn = vec2(cos(6.28318531 * at.z), sin(6.28318531 * at.z));
-    vec2 now = turn;
-    for (int k = 0; k < terms; ++k) {
-        depth += shadow_map_texel(at.xy, layer + float(2 * k + 1)) * now.y + shadow_map_texel(at.xy, layer + float(2 * k + 2)) * (1.0 - now.x);
-        now = vec2(now.x * turn.x - now.y * turn.y, now.y * turn.x + now.x * turn.y);
+    float angle = 3.14159265 * at.z;
+    float twice_cosine = 2.0 * cos(angle), before = 0.0, sine = sin(angle);
+    for (int k = 1; k <= terms; ++k) {
+        depth += shadow_map_texel(at.xy, layer + float(k)) * sine;
+        float next = twice_cosine * sine - before;  // sin((k + 1) a)
+        before = sine;
+        sine = next;
     }
     return clamp(depth, vec3(0.0), whole);  // the series rings
 }
