@@ -145,7 +145,7 @@ struct MediaShadowSettings {
     ShadowMethod method = ShadowMethod::automatic;
     int32_t size = 128;
     int32_t layers = 64;
-    int32_t samples = 2;
+    int32_t samples = 1;
     int32_t terms = 8;
     int32_t maps = 8;
     int32_t voxels = 64;

@@ -56,6 +56,7 @@ void MediaShadows::plan(Block& block, const RenderScene& scene, const UnevenMedi
     const bool fourier = shadows.method == ShadowMethod::fourier_map;
     layers_ = fourier ? 1 + shadows.terms : shadows.layers;
     for (size_t i = 0; i < std::min(scene.lights.size(), kMappedLights); ++i) {
+        if (scene.lights[i].intensity == glm::vec3(0.0f)) continue;
         GpuShadow& record = block.lights[i];
         const std::optional<ShadowFit> fit = fit_shadow_map(scene.lights[i], uneven, shadows.size);
         if (!fit) continue;  // it meets none of them
