@@ -155,8 +155,9 @@ struct MediaShadowSettings {
 };
 
 inline void describe(StructBuilder<MediaShadowSettings>& d) {
-    d.doc("Shadows of noise, grids and gradients; those of even media, blobs and height fog are exact and cost nothing "
-          "here.");
+    d.doc(
+        "Shadows of noise, grids and gradients; those of even media, blobs and height fog are exact and cost nothing "
+        "here.");
     d.field("method", &MediaShadowSettings::method,
             "march: light_steps samples toward the light for each lookup. opacity_map: a map of optical depths seen "
             "from each light. fourier_map: its Fourier series, less memory. clipmap: voxels of extinction around the "
@@ -210,7 +211,9 @@ inline void describe(StructBuilder<MediaSettings>& d) {
             "Steps over the part of a ray that lies in a medium and in a light's volume.")
         .range(1, 1024);
     d.field("light_steps", &MediaSettings::light_steps,
-            "Samples on the way to a light through noise and grids; other densities need none.")
+            "Samples through noise and grids on the way to the eye, and to lights whose shadows are marched; other "
+            "densities "
+            "need none.")
         .range(1, 256);
     d.field("jitter", &MediaSettings::jitter, "Blue-noise offsets: fine grain instead of bands.");
     d.field("filter", &MediaSettings::filter,

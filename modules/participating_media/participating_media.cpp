@@ -35,15 +35,15 @@ class ParticipatingMedia final : public Module {
         const auto bind_media = [media, &settings](const gpu::Program& program, PassContext&) {
             media->bind(program, settings.light_steps);
         };
-        registrar.seam(Seam::light_transmittance, {.name = "participating_media",
-                                                   .include = "participating_media/transmittance.glsl",
-                                                   .function = "participating_media_transmittance",
-                                                   .reads = {"media_shadows"},
-                                                   .bind = [bind_media, shadows, &settings](
-                                                               const gpu::Program& program, PassContext& context) {
-                                                       bind_media(program, context);
-                                                       shadows->bind(program, settings);
-                                                   }});
+        registrar.seam(Seam::light_transmittance,
+                       {.name = "participating_media",
+                        .include = "participating_media/transmittance.glsl",
+                        .function = "participating_media_transmittance",
+                        .reads = {"media_shadows"},
+                        .bind = [bind_media, shadows, &settings](const gpu::Program& program, PassContext& context) {
+                            bind_media(program, context);
+                            shadows->bind(program, settings);
+                        }});
         registrar.seam(Seam::indirect_light, {.name = "participating_media",
                                               .include = "participating_media/analytic/surface_glow.glsl",
                                               .function = "participating_media_surface_glow",

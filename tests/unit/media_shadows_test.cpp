@@ -176,7 +176,8 @@ constexpr const char* kSmoke = "assets/scenes/smoke.json";
 TEST_F(MediaShadowsTest, ShadowsKeepStillWhenTheCameraMoves) {
     for (const char* method : {R"("opacity_map")", R"("clipmap")"}) {
         load(kSmoke, method,
-             {{"/render/participating_media/shadows/levels", "3"}, {"/render/participating_media/shadows/voxels", "32"}});
+             {{"/render/participating_media/shadows/levels", "3"},
+              {"/render/participating_media/shadows/voxels", "32"}});
         scene_.camera.transform = test::looking({0, 0.9f, 2.4f}, {0, 0.5f, 0});
         const Image here = probe();
         scene_.camera.transform = test::looking({0.002f, 0.901f, 2.398f}, {0, 0.5f, 0});  // a fraction of a voxel

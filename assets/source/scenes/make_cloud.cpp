@@ -1,6 +1,8 @@
-// Makes assets/scenes/volumes/cloud.vdb: a small cumulus on 128^3 voxels, sparse, half floats. Python has no writer for the format.
+// Makes assets/scenes/volumes/cloud.vdb: a small cumulus on 128^3 voxels, sparse, half floats. Python has no writer for
+// the format.
 //
-//     g++ -std=c++20 -O2 make_cloud.cpp -o make_cloud -lopenvdb -ltbb -lImath-3_1 && ./make_cloud ../../scenes/volumes/cloud.vdb
+//     g++ -std=c++20 -O2 make_cloud.cpp -o make_cloud -lopenvdb -ltbb -lImath-3_1 && ./make_cloud
+//     ../../scenes/volumes/cloud.vdb
 #include <openvdb/openvdb.h>
 
 #include <algorithm>
@@ -42,9 +44,15 @@ double density(double x, double y, double z) {
     struct Ball {
         double x, y, z, radius;
     };
-    constexpr std::array<Ball, 9> kBalls{{{0.50, 0.36, 0.50, 0.24}, {0.30, 0.28, 0.46, 0.17}, {0.72, 0.28, 0.52, 0.17},
-                                          {0.44, 0.55, 0.47, 0.17}, {0.57, 0.68, 0.52, 0.12}, {0.52, 0.30, 0.26, 0.15},
-                                          {0.48, 0.30, 0.74, 0.15}, {0.18, 0.24, 0.50, 0.10}, {0.64, 0.50, 0.40, 0.12}}};
+    constexpr std::array<Ball, 9> kBalls{{{0.50, 0.36, 0.50, 0.24},
+                                          {0.30, 0.28, 0.46, 0.17},
+                                          {0.72, 0.28, 0.52, 0.17},
+                                          {0.44, 0.55, 0.47, 0.17},
+                                          {0.57, 0.68, 0.52, 0.12},
+                                          {0.52, 0.30, 0.26, 0.15},
+                                          {0.48, 0.30, 0.74, 0.15},
+                                          {0.18, 0.24, 0.50, 0.10},
+                                          {0.64, 0.50, 0.40, 0.12}}};
     double inside = -1;
     for (const Ball& ball : kBalls)
         inside = std::max(inside, ball.radius - std::hypot(x - ball.x, y - ball.y, z - ball.z));

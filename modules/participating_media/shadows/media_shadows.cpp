@@ -182,9 +182,8 @@ void MediaShadows::bind(const gpu::Program& program, const MediaSettings& settin
 }
 
 void MediaShadowsPass::declare(PassDeclaration& declaration) {
-    const TargetDesc desc{.format = gpu::Format::rgba16f, .shape = gpu::Shape::volume, .own = [this] {
-                              return shadows_->maps();
-                          }};
+    const TargetDesc desc{
+        .format = gpu::Format::rgba16f, .shape = gpu::Shape::volume, .own = [this] { return shadows_->maps(); }};
     declaration.stage(Stage::light_space)
         .writes("media_shadows", desc, "optical depth of media seen from each light, kept while nothing changes");
 }

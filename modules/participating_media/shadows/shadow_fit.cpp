@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kWidestPyramid = 3.0f;  ///< tan of the half angle; beyond, texels in its corners are too small
 
-constexpr int kStepsAcross = 8;       ///< in which a level's box moves
+constexpr int kStepsAcross = 8;  ///< in which a level's box moves
 
 /// A rectangle of u, v before it becomes [0, 1]^2.
 struct Rectangle {
@@ -48,10 +48,9 @@ ShadowFit parallel_fit(const Light& light, const UnevenMedia& media, int size) {
     fit.base = travel;
     fit.across = extent.x * right;
     fit.up = extent.y * up;
-    fit.map_from_world =
-        glm::transpose(glm::mat4(glm::vec4(right / extent.x, -all.low.x / extent.x),
-                                 glm::vec4(up / extent.y, -all.low.y / extent.y), glm::vec4(travel / depth, -near / depth),
-                                 glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)));
+    fit.map_from_world = glm::transpose(
+        glm::mat4(glm::vec4(right / extent.x, -all.low.x / extent.x), glm::vec4(up / extent.y, -all.low.y / extent.y),
+                  glm::vec4(travel / depth, -near / depth), glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)));
     return fit;
 }
 

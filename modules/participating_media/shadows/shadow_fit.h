@@ -1,5 +1,6 @@
 #pragma once
-/// How the media that a light shines on lie in a map of it: what is needed of the scene to see their shadows. Needs no GL.
+/// How the media that a light shines on lie in a map of it: what is needed of the scene to see their shadows. Needs no
+/// GL.
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -43,9 +44,9 @@ struct ShadowFit {
 /// The fit for a map of `size` texels on a side; none when the light reaches no medium.
 [[nodiscard]] std::optional<ShadowFit> fit_shadow_map(const Light& light, const UnevenMedia& media, int size);
 
-/// The boxes of all levels of the clipmap (shadows/extinction_clipmap.h), finest first. The last is that of all uneven media; each before it is half as wide along
-/// each axis and lies as near to the camera as it can without leaving the last. They move in steps of an eighth of
-/// their width, so voxels keep their places in the world.
+/// The boxes of all levels of the clipmap (shadows/extinction_clipmap.h), finest first. The last is that of all uneven
+/// media; each before it is half as wide along each axis and lies as near to the camera as it can without leaving the
+/// last. They move in steps of an eighth of their width, so voxels keep their places in the world.
 [[nodiscard]] std::vector<Bounds> clipmap_boxes(const Bounds& media, const glm::vec3& camera, int levels, int voxels);
 
 }  // namespace tyndall::participating_media
