@@ -188,6 +188,7 @@ struct MediaSettings {
     Resolution resolution = Resolution::full;
     int32_t steps = 12;
     int32_t light_steps = 8;
+    int32_t eye_steps = 32;
     bool jitter = true;
     bool filter = true;
     AnalyticSettings analytic;
@@ -213,6 +214,10 @@ inline void describe(StructBuilder<MediaSettings>& d) {
     d.field("light_steps", &MediaSettings::light_steps,
             "Samples through noise and grids on the way to the eye, and to lights whose shadows are marched; other "
             "densities "
+            "need none.")
+        .range(1, 256);
+    d.field("eye_steps", &MediaSettings::eye_steps,
+            "Samples on the way to the eye of what is seen through noise and grids: too few are grain; other densities "
             "need none.")
         .range(1, 256);
     d.field("jitter", &MediaSettings::jitter, "Blue-noise offsets: fine grain instead of bands.");
