@@ -21,7 +21,16 @@ struct GltfComponent {
     static constexpr std::string_view kName = "gltf";
     std::string file;
     std::vector<std::string> cast_shadow_exclude;  ///< glob patterns over node names
+
+    /// Nodes that give off more or less light than the file says.
+    struct Glow {
+        std::string nodes;       ///< glob pattern over node names
+        glm::vec3 factor{1.0f};  ///< on the emission of their materials
+        bool operator==(const Glow&) const = default;
+    };
+    std::vector<Glow> glow;  ///< the first that fits a node counts
 };
+void describe(StructBuilder<GltfComponent::Glow>& d);
 void describe(StructBuilder<GltfComponent>& d);
 
 /// Shapes that need no file. All fit the box from -1/2 to 1/2, so the transform's scale is their size in metres.

@@ -2,11 +2,20 @@
 
 namespace tyndall {
 
+void describe(StructBuilder<GltfComponent::Glow>& d) {
+    d.doc("Nodes that give off more or less light than the file says.");
+    d.field("nodes", &GltfComponent::Glow::nodes, "Their names; * stands for any text and ? for one character.");
+    d.field("factor", &GltfComponent::Glow::factor, "Multiplies the emission of their materials.").range(0, 1e6);
+}
+
 void describe(StructBuilder<GltfComponent>& d) {
     d.doc("A glTF 2.0 file with its meshes, materials, lights and cameras, placed by the entity's transform.");
     d.field("file", &GltfComponent::file, "The .gltf or .glb file, relative to the scene.").asset("gltf");
     d.field("cast_shadow_exclude", &GltfComponent::cast_shadow_exclude,
             "Nodes that cast no shadow, by name; * stands for any text and ? for one character.");
+    d.field("glow", &GltfComponent::glow,
+            "How nodes' emission differs from the file's: windows at dusk, lamps that are off. Of several that fit a "
+            "node the first counts.");
 }
 
 void describe(StructBuilder<MeshComponent>& d) {

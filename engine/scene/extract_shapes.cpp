@@ -163,19 +163,38 @@ struct PlacedGltf {
     std::vector<std::string> excluded;
     std::vector<glm::mat4> to_root;  ///< of each node, relative to the entity
     std::vector<bool> casts_shadow;
+    std::vector<GltfComponent::Glow> glow;
+    std::map<std::pair<const Material*, const GltfComponent::Glow*>, std::shared_ptr<const Material>> glowing;
 
     void update(const GltfAsset& asset, const GltfComponent& component) {
-        if (id == asset.id && excluded == component.cast_shadow_exclude) return;
+        if (id == asset.id && excluded == component.cast_shadow_exclude && glow == component.glow) return;
         id = asset.id;
         excluded = component.cast_shadow_exclude;
+        glow = component.glow;
         to_root.clear();
         casts_shadow.clear();
+        glowing.clear();
         for (const GltfNode& node : asset.nodes) {
             const bool root = node.parent < 0;
             to_root.push_back(root ? node.local : to_root[static_cast<size_t>(node.parent)] * node.local);
             casts_shadow.push_back(std::ranges::none_of(
                 excluded, [&](const std::string& pattern) { return matches_glob(pattern, node.name); }));
         }
+    }
+
+    /// A node's material with the emission that it has here.
+    std::shared_ptr<const Material> material_of(const GltfNode& node, const std::shared_ptr<const Material>& plain) {
+        const auto found = std::ranges::find_if(
+            glow, [&](const GltfComponent::Glow& candidate) { return matches_glob(candidate.nodes, node.name); });
+        if (found == glow.end() || plain->emissive == glm::vec3(0.0f)) return plain;
+        std::shared_ptr<const Material>& made = glowing[{plain.get(), &*found}];
+        if (!made) {
+            Material material = *plain;
+            material.id = new_asset_id();
+            material.emissive *= found->factor;
+            made = std::make_shared<const Material>(std::move(material));
+        }
+        return made;
     }
 };
 
@@ -228,7 +247,7 @@ struct ShapeState {
             for (const GltfNode::Primitive& primitive : node.primitives) {
                 Surface surface;
                 surface.mesh = primitive.mesh;
-                surface.material = material ? material : primitive.material;
+                surface.material = material ? material : place.material_of(node, primitive.material);
                 surface.transform = transform;
                 surface.previous_transform = context.previous_transform * place.to_root[i];
                 surface.bounds = primitive.mesh->mesh.bounds.transformed(transform);

@@ -25,7 +25,7 @@ constexpr std::string_view kGltf = R"({
     { "name": "lamp", "translation": [0, 0, 3], "extensions": { "KHR_lights_punctual": { "light": 0 } } },
     { "name": "eye", "camera": 0 } ],
   "cameras": [ { "type": "perspective", "perspective": { "yfov": 0.5, "znear": 0.25 } } ],
-  "materials": [ { "name": "red", "pbrMetallicRoughness": { "baseColorFactor": [1, 0, 0, 1] } } ],
+  "materials": [ { "name": "red", "pbrMetallicRoughness": { "baseColorFactor": [1, 0, 0, 1] }, "emissiveFactor": [1, 1, 0.5] } ],
   "meshes": [ { "primitives": [ { "attributes": { "POSITION": 0 }, "material": 0 } ] } ],
   "accessors": [ { "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0] } ],
   "bufferViews": [ { "buffer": 0, "byteLength": 36 } ],
@@ -83,6 +83,21 @@ TEST_F(Extraction, LightsComeInTheRenderersUnits) {
     EXPECT_FLOAT_EQ(of(LightKind::directional).angular_radius, glm::radians(1.0f));
     EXPECT_EQ(of(LightKind::directional).shadow.cascades, 2);
     EXPECT_FALSE(of(LightKind::point).shadow.enabled);
+}
+
+TEST_F(Extraction, GltfNodesGlowAsTheFirstPatternThatFitsSays) {
+    load(R"({ "name": "Plain", "gltf": { "file": "thing.gltf" } },
+            { "gltf": { "file": "thing.gltf", "glow": [ { "nodes": "lamp_*", "factor": [9, 9, 9] },
+                        { "nodes": "glass_*", "factor": [0.5, 0.25, 0] }, { "nodes": "*", "factor": [9, 9, 9] } ] } })");
+    EXPECT_TRUE(extract().empty());
+    ASSERT_EQ(scene_.surfaces.size(), 2u);
+    const std::shared_ptr<const Material> plain = scene_.surfaces[0].material, dimmed = scene_.surfaces[1].material;
+    EXPECT_EQ(plain->emissive, glm::vec3(1, 1, 0.5f));
+    EXPECT_EQ(dimmed->emissive, glm::vec3(0.5f, 0.25f, 0));
+    EXPECT_EQ(dimmed->base_colour, plain->base_colour);
+    EXPECT_NE(dimmed->id, plain->id);
+    extract();
+    EXPECT_EQ(scene_.surfaces[1].material, dimmed) << "made anew for another frame";
 }
 
 TEST_F(Extraction, GltfNodesAreSurfacesLightsAndCameras) {

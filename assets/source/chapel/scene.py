@@ -58,10 +58,13 @@ def pretty(value, depth=0, width=150):
     return "[\n" + body + "\n" + end + "]"
 
 
-if __name__ == "__main__":
-    scene = dict(tyndall=1, modules=["participating_media"], render=dict(path="deferred", view="ACES 1.0 SDR", camera="Nave", participating_media=dict(resolution="half", steps=12)), entities=entities())
+def write(target, found):
+    scene = dict(tyndall=1, modules=["participating_media"], render=dict(path="deferred", view="ACES 1.0 SDR", camera="Nave", participating_media=dict(resolution="half", steps=12)), entities=found)
     text = pretty(scene) + "\n"
     assert json.loads(text) == scene
-    target = pathlib.Path(sys.argv[1]) / "chapel.json"
     target.write_text(text)
-    print(target, len(scene["entities"]), "entities")
+    print(target, len(found), "entities")
+
+
+if __name__ == "__main__":
+    write(pathlib.Path(sys.argv[1]) / "chapel.json", entities())
