@@ -119,6 +119,48 @@ def interrupted(t):
     t.check(not kept.exists(), "and nothing is left")
 
 
+def refusal(t):
+    spot_without = "/entities/Spot/spot_light/shadow={ \"enabled\": false }"
+    content = study(techniques=[
+        {"name": "closed form", "set": ["{fog}/solver=analytic"], "refused_if": ": ray_marched renders it instead",
+         "points": [{"name": "shadows"}, {"name": "the same again"}, {"name": "none", "set": [spot_without]}]},
+        {"name": "none", "set": ["/render/participating_media/enabled=false"]}])
+    content["scenes"][0]["words"] = [{"name": "fog", "text": "/entities/Fog/medium"}]
+    numbers = t.folder / "refusal.json"
+    done = measure(t, content, "--json", numbers, "--markdown", "-")
+    t.check(done and done.returncode == 0, f"what a technique cannot render is no failure\n{done and done.stdout + done.stderr}")
+    rows = {row["label"]: row for row in json.loads(numbers.read_text())["scenes"][0]["rows"]}
+    for label in ("closed form, shadows", "closed form, the same again"):
+        t.check("casts shadows" in rows[label].get("cannot", "") and not rows[label]["metrics"], f"it is told and has no numbers: {rows[label]}")
+    t.check("cannot: participating_media: analytic cannot render a light that casts shadows |" in done.stdout, f"in the table, too\n{done.stdout}")
+    t.check(rows["closed form, none"]["metrics"]["relmse"] > 0 and "cannot" not in rows["closed form, none"], "without shadows it can")
+    again = measure(t, content, "--json", t.folder / "again.json", "--errors", numbers)
+    t.check(again and again.returncode == 0 and "reference" not in again.stdout, f"times alone\n{again and again.stdout + again.stderr}")
+    later = json.loads((t.folder / "again.json").read_text())
+    kept = {row["label"]: row for row in later["scenes"][0]["rows"]}["closed form, none"]
+    t.check(kept["metrics"] == rows["closed form, none"]["metrics"] and kept["ms"] > 0 and "errors" in later["facts"], "with the errors of before")
+    refused(t, "no such numbers", measure(t, content, "--errors", t.file("broken.json", "{}")), "broken.json", "--json")
+    content["scenes"][0]["words"] = []
+    refused(t, "unexplained word", measure(t, content), "/techniques/0", "{fog}/solver=analytic")
+
+
+def times(t):
+    content = study(compare=False, against=["steps", "pixels"], baseline="", techniques=[
+        {"name": "march", "sweep": [{"set": "/render/participating_media/steps", "values": [1, 8]}]},
+        {"name": "pictures", "points_are": "pixels", "points": [{"name": str(w * w), "size": [w, w]} for w in (16, 64, 256)]}])
+    before = films(t)
+    done = measure(t, content, "--svg", t.folder / "times", "--json", t.folder / "times.json", "--markdown", "-")
+    t.check(done and done.returncode == 0 and films(t) == before, f"times without references\n{done and done.stdout + done.stderr}")
+    plots = sorted(file.name for file in (t.folder / "times").iterdir())
+    t.check(plots == ["fog---spot-pixels.svg", "fog---spot-steps.svg"], f"a plot for each parameter: {plots}")
+    drawn = "".join(xml.etree.ElementTree.parse(t.folder / "times" / "fog---spot-pixels.svg").getroot().itertext())
+    t.check("pictures, pixels 65536: " in drawn and "march" not in drawn, f"time over pixels: {drawn}")
+    rows = {row["label"]: row["ms"] for row in json.loads((t.folder / "times.json").read_text())["scenes"][0]["rows"]}
+    t.check(rows["pictures, pixels 65536"] > 2 * rows["pictures, pixels 256"], f"each at its own size: {rows}")
+    refused(t, "unknown parameter", measure(t, {**content, "against": ["step"]}), "/against/0", "did you mean 'steps'")
+    refused(t, "another size", measure(t, {**content, "compare": True}), "/techniques/1/points/0/size", "cannot be compared")
+
+
 def wrong_input(t):
     failing = study()
     failing["techniques"].insert(0, {"name": "wrong", "set": ["/render/participating_media/stepz=4"]})
@@ -150,6 +192,8 @@ def main():
         cache(t)
         changed_asset(t)
         interrupted(t)
+        refusal(t)
+        times(t)
         wrong_input(t)
 
 

@@ -65,7 +65,7 @@ class Drawing {
         const LogAxis x(x_.low, x_.high, kLeft, kWidth - kRight), y(y_.low, y_.high, bottom_, top_);
         axes(x, y);
         if (floor_shown_) noise(y);
-        front(x, y);
+        if (plot_.front) front(x, y);
         markers(x, y);
         out_ += fmt::format("<rect class=\"tp-frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", kLeft, top_,
                             kWidth - kRight - kLeft, kField);

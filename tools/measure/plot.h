@@ -21,13 +21,14 @@ struct PlotSeries {
     bool joined = true;  ///< a line from each to the next
 };
 
-/// Logarithmic axes; of both less is better, and the Pareto front is drawn.
+/// Logarithmic axes. Where of both less is better, the Pareto front is drawn.
 struct Plot {
     std::string id;  ///< unique in a page: letters, digits, '-'
     std::string title;
     std::string description;  ///< for those who cannot see it
     std::string x_label, y_label;
-    std::string note;        ///< a line below the axes, such as what the labels are
+    std::string note;  ///< a line below the axes, such as what the labels are
+    bool front = true;
     double noise_floor = 0;  ///< y below which the reference's noise is all; 0 = none is drawn
     std::vector<PlotSeries> series;
 };

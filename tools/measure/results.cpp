@@ -28,6 +28,7 @@ void conclude(const Results& results, SceneResults& scene) {
         row.within_noise =
             relmse != row.metrics.end() && scene.noise_floor > 0 && relmse->second <= 2 * scene.noise_floor;
         row.on_front = false;
+        if (!results.compare) continue;
         const auto error = row.metrics.find(results.plots.front());
         outcomes.push_back({cost_of(results, row).value_or(NAN), error == row.metrics.end() ? NAN : error->second});
     }
@@ -75,7 +76,7 @@ json to_json(const Row& row) {
                 {"within_noise", row.within_noise}};
     all["ms_above"] = optional_json(row.ms_above);
     all["processor_ms_above"] = optional_json(row.processor_ms_above);
-    if (!row.problem.empty()) all["problem"] = row.problem;
+    if (!row.problem.empty()) all[row.refused ? "cannot" : "problem"] = row.problem;
     return all;
 }
 

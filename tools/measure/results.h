@@ -20,6 +20,7 @@ struct Row {
     std::vector<std::pair<std::string, std::string>> parameters;
     bool baseline = false;
     std::string problem;                    ///< why there are no numbers; empty = there are
+    bool refused = false;                   ///< the problem is that the technique cannot render the scene
     double ms = 0, least_ms = 0;            ///< median and least from a frame's beginning to its end
     double processor_ms = 0;                ///< median of all processors' time
     double target_bytes = 0;                ///< of the frame graph
@@ -48,6 +49,8 @@ struct Results {
     Clock clock = Clock::frame;
     std::string baseline;
     std::vector<std::string> plots;
+    std::vector<std::string> against;
+    bool compare = true;
     std::vector<std::pair<std::string, std::string>> facts;  ///< machine, driver, how it was timed
     std::vector<SceneResults> scenes;
 };
@@ -77,6 +80,10 @@ struct Table {
 
 /// Error against time of a scene by one metric.
 [[nodiscard]] Plot plot_of(const Results& results, const SceneResults& scene, const std::string& metric);
+/// Time over a parameter with numbers: what it costs to have more of something.
+[[nodiscard]] Plot cost_plot_of(const Results& results, const SceneResults& scene, const std::string& parameter);
+/// All plots of a scene.
+[[nodiscard]] std::vector<Plot> plots_of(const Results& results, const SceneResults& scene);
 /// A name for files and identifiers: letters, digits and '-'.
 [[nodiscard]] std::string plain_name(const std::string& name);
 

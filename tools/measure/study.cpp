@@ -14,6 +14,54 @@
 namespace tyndall::measure {
 namespace {
 
+std::string name_of(const Sweep& sweep) {
+    return sweep.name.empty() ? sweep.set.substr(sweep.set.rfind('/') + 1) : sweep.name;
+}
+
+/// The runs of a technique on a scene: each extended by each value of one more sweep.
+std::vector<Run> extended(const std::vector<Run>& runs, const Sweep& sweep) {
+    std::vector<std::string> values = sweep.texts;
+    for (const float value : sweep.values) values.push_back(fmt::format("{}", value));
+    const std::string name = name_of(sweep);
+    std::vector<Run> all;
+    for (const Run& run : runs)
+        for (const std::string& value : values) {
+            Run next = run;
+            next.set.push_back(sweep.set + "=" + value);
+            next.parameters.emplace_back(name, value);
+            all.push_back(std::move(next));
+        }
+    return all;
+}
+
+void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+}
+
+std::vector<Run> runs_of(const StudyScene& scene, const Technique& technique) {
+    Run first{&scene, &technique, {}, scene.set, scene.size, false};
+    append(first.set, technique.set);
+    std::vector<Run> runs;
+    for (const StudyPoint& point : technique.points) {
+        Run run = first;
+        append(run.set, point.set);
+        run.parameters.emplace_back(technique.points_are, point.name);
+        if (point.size != glm::vec2(0.0f)) run.size = point.size;
+        runs.push_back(std::move(run));
+    }
+    if (technique.points.empty()) runs.push_back(first);
+    for (const Sweep& sweep : technique.sweep) runs = extended(runs, sweep);
+    for (Run& run : runs)
+        for (std::string& change : run.set)
+            for (const StudyWord& word : scene.words)
+                if (change.starts_with("{" + word.name + "}")) change.replace(0, word.name.size() + 2, word.text);
+    return runs;
+}
+
+bool named(const std::vector<std::string>& names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+}
+
 /// Collects problems of the study as a whole; pointers say where.
 class Check {
  public:
@@ -30,6 +78,7 @@ class Check {
         baseline();
         if (study_.plots.empty()) add("/plots", "nothing is plotted", "metrics, such as relmse");
         for (size_t i = 0; i < study_.plots.size(); ++i) plot(fmt::format("/plots/{}", i), study_.plots[i]);
+        for (size_t i = 0; i < study_.against.size(); ++i) against(fmt::format("/against/{}", i), study_.against[i]);
         if (problems_.empty() && runs() > static_cast<double>(kMaxRuns))
             add("/techniques", fmt::format("the study has {:.0f} runs", runs()), fmt::format("at most {}", kMaxRuns));
     }
@@ -53,9 +102,25 @@ class Check {
 
     void changes(const std::string& pointer, const std::vector<std::string>& set) {
         for (size_t i = 0; i < set.size(); ++i)
-            if (!set[i].starts_with('/') || set[i].find('=') == std::string::npos)
+            if (!is_pointer(set[i]) || set[i].find('=') == std::string::npos)
                 add(fmt::format("{}/{}", pointer, i), "'" + set[i] + "' is no assignment",
                     "/json/pointer=value, such as /render/path=\"deferred\"");
+    }
+
+    /// "/a/b", or "{word}/b"; words are known where a technique's scenes are.
+    static bool is_pointer(const std::string& text) { return text.starts_with('/') || text.starts_with('{'); }
+
+    /// Words of a technique's changes that one of its scenes does not have.
+    void words(const std::string& pointer, const Technique& technique) {
+        for (const StudyScene& scene : study_.scenes) {
+            if (!technique.scenes.empty() && !named(technique.scenes, scene.name)) continue;
+            for (const Run& run : runs_of(scene, technique))
+                for (const std::string& change : run.set)
+                    if (change.starts_with('{'))
+                        return add(pointer,
+                                   fmt::format("'{}' has a word that scene '{}' does not explain", change, scene.name),
+                                   "a name from the scene's \"words\"");
+        }
     }
 
     void scene(const std::string& pointer, const StudyScene& scene) {
@@ -75,8 +140,15 @@ class Check {
     void technique(const std::string& pointer, const Technique& technique) {
         changes(pointer + "/set", technique.set);
         names(pointer + "/points", technique.points);
-        for (size_t i = 0; i < technique.points.size(); ++i)
-            changes(fmt::format("{}/points/{}/set", pointer, i), technique.points[i].set);
+        for (size_t i = 0; i < technique.points.size(); ++i) {
+            const StudyPoint& point = technique.points[i];
+            changes(fmt::format("{}/points/{}/set", pointer, i), point.set);
+            if (study_.compare && point.size != glm::vec2(0.0f))
+                add(fmt::format("{}/points/{}/size", pointer, i), "another size cannot be compared",
+                    "\"compare\": false in the study");
+            else if (point.size != glm::floor(point.size) || (point.size.x == 0) != (point.size.y == 0))
+                add(fmt::format("{}/points/{}/size", pointer, i), "is no whole number of pixels");
+        }
         for (size_t i = 0; i < technique.sweep.size(); ++i)
             sweep(fmt::format("{}/sweep/{}", pointer, i), technique.sweep[i]);
         std::vector<std::string> known;
@@ -85,10 +157,11 @@ class Check {
             if (const std::string& name = technique.scenes[i]; std::ranges::find(known, name) == known.end())
                 add(fmt::format("{}/scenes/{}", pointer, i), "unknown scene '" + name + "'", "a name from /scenes",
                     nearest_name(name, known));
+        if (problems_.empty()) words(pointer, technique);
     }
 
     void sweep(const std::string& pointer, const Sweep& sweep) {
-        if (!sweep.set.starts_with('/'))
+        if (!is_pointer(sweep.set))
             add(pointer + "/set", "'" + sweep.set + "' is no JSON pointer",
                 "such as /render/participating_media/steps");
         if (sweep.values.empty() == sweep.texts.empty())
@@ -108,6 +181,17 @@ class Check {
         if (!baseline.sweep.empty() || !baseline.points.empty() || !baseline.scenes.empty())
             add("/baseline", "'" + study_.baseline + "' has points, sweeps or scenes",
                 "a technique of one run on every scene");
+    }
+
+    void against(const std::string& pointer, const std::string& name) {
+        std::vector<std::string> known;
+        for (const Technique& technique : study_.techniques) {
+            if (!technique.points_are.empty()) known.push_back(technique.points_are);
+            for (const Sweep& sweep : technique.sweep) known.push_back(name_of(sweep));
+        }
+        if (!named(known, name))
+            add(pointer, "no technique has a parameter '" + name + "'", "a sweep's name or a 'points_are'",
+                nearest_name(name, known));
     }
 
     void plot(const std::string& pointer, const std::string& name) {
@@ -134,45 +218,6 @@ class Check {
     const Study& study_;
     std::vector<Diagnostic>& problems_;
 };
-
-/// The runs of a technique on a scene: each extended by each value of one more sweep.
-std::vector<Run> extended(const std::vector<Run>& runs, const Sweep& sweep) {
-    std::vector<std::string> values = sweep.texts;
-    for (const float value : sweep.values) values.push_back(fmt::format("{}", value));
-    const std::string name = sweep.name.empty() ? sweep.set.substr(sweep.set.rfind('/') + 1) : sweep.name;
-    std::vector<Run> all;
-    for (const Run& run : runs)
-        for (const std::string& value : values) {
-            Run next = run;
-            next.set.push_back(sweep.set + "=" + value);
-            next.parameters.emplace_back(name, value);
-            all.push_back(std::move(next));
-        }
-    return all;
-}
-
-void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
-    to.insert(to.end(), more.begin(), more.end());
-}
-
-std::vector<Run> runs_of(const StudyScene& scene, const Technique& technique) {
-    Run first{&scene, &technique, {}, scene.set, false};
-    append(first.set, technique.set);
-    std::vector<Run> runs;
-    for (const StudyPoint& point : technique.points) {
-        Run run = first;
-        append(run.set, point.set);
-        run.parameters.emplace_back("", point.name);
-        runs.push_back(std::move(run));
-    }
-    if (technique.points.empty()) runs.push_back(first);
-    for (const Sweep& sweep : technique.sweep) runs = extended(runs, sweep);
-    return runs;
-}
-
-bool named(const std::vector<std::string>& names, const std::string& name) {
-    return std::ranges::find(names, name) != names.end();
-}
 
 }  // namespace
 

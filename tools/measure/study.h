@@ -25,6 +25,12 @@ struct Reference {
 };
 void describe(StructBuilder<Reference>& d);
 
+/// What a technique's changes mean by {name} on a scene.
+struct StudyWord {
+    std::string name, text;
+};
+void describe(StructBuilder<StudyWord>& d);
+
 /// A scene and how its pictures are taken.
 struct StudyScene {
     std::string name;
@@ -34,6 +40,7 @@ struct StudyScene {
     glm::vec2 size{320.0f, 180.0f};
     int32_t supersample = 4;
     int32_t frames = 1;
+    std::vector<StudyWord> words;
     std::vector<std::string> set;
     std::vector<std::string> subtract;
     Reference reference;
@@ -52,6 +59,7 @@ void describe(StructBuilder<Sweep>& d);
 /// Parameters that were chosen by hand.
 struct StudyPoint {
     std::string name;
+    glm::vec2 size{0.0f};  ///< of the picture; 0 = the scene's
     std::vector<std::string> set;
 };
 void describe(StructBuilder<StudyPoint>& d);
@@ -62,6 +70,8 @@ struct Technique {
     std::string doc;
     std::vector<std::string> set;
     std::vector<std::string> scenes;  ///< empty = all
+    std::string refused_if;           ///< what the log says where it is not rendered so
+    std::string points_are;           ///< what the points' names are values of, such as "lights"
     std::vector<StudyPoint> points;   ///< empty = one without changes
     std::vector<Sweep> sweep;
 };
@@ -87,6 +97,8 @@ struct Study {
     std::string baseline;
     Clock clock = Clock::frame;
     std::vector<std::string> plots{"relmse"};
+    std::vector<std::string> against;  ///< parameters over which time is plotted
+    bool compare = true;               ///< off: runs are timed, and there are no references
     StudyBench bench;
     std::filesystem::path file;  ///< where it was read from
 
@@ -103,6 +115,7 @@ struct Run {
     const Technique* technique = nullptr;
     std::vector<std::pair<std::string, std::string>> parameters;  ///< name and value, for people
     std::vector<std::string> set;  ///< all changes: of the scene, the technique, the point and the sweeps
+    glm::vec2 size{0.0f};          ///< of what is timed
     bool baseline = false;         ///< is timed and not compared
 
     /// "full, steps 8"

@@ -22,6 +22,12 @@ void describe(StructBuilder<Reference>& d) {
         .range(-1, 10);
 }
 
+void describe(StructBuilder<StudyWord>& d) {
+    d.doc("What a technique's changes mean by {name} on a scene.");
+    d.field("name", &StudyWord::name, "The word between the braces.");
+    d.field("text", &StudyWord::text, "What stands for it, such as \"/entities/Fog/medium\".");
+}
+
 void describe(StructBuilder<StudyScene>& d) {
     d.doc("A scene and how its pictures are taken.");
     d.field("name", &StudyScene::name, "Names the plot.");
@@ -34,6 +40,8 @@ void describe(StructBuilder<StudyScene>& d) {
             "a mean over its area.")
         .range(1, 16);
     d.field("frames", &StudyScene::frames, "Frames to run before the picture is taken.").range(1, 10000);
+    d.field("words", &StudyScene::words,
+            "What techniques' changes mean here by a word in braces: scenes name their entities differently.");
     d.field("set", &StudyScene::set, "Changes to the scene file, as \"/json/pointer=value\", for renderer and tracer.");
     d.field("subtract", &StudyScene::subtract,
             "Changes that leave what is not compared: that picture is subtracted from the technique's.");
@@ -51,6 +59,10 @@ void describe(StructBuilder<Sweep>& d) {
 void describe(StructBuilder<StudyPoint>& d) {
     d.doc("Parameters that were chosen by hand.");
     d.field("name", &StudyPoint::name, "For tables and plots.");
+    d.field("size", &StudyPoint::size,
+            "Width and height of what is timed; only where nothing is compared. 0 = the scene's.")
+        .unit("px")
+        .range(0, 16384);
     d.field("set", &StudyPoint::set, "Changes to the scene file.");
 }
 
@@ -60,6 +72,11 @@ void describe(StructBuilder<Technique>& d) {
     d.field("doc", &Technique::doc, "A sentence for the report.");
     d.field("set", &Technique::set, "Changes to the scene file.");
     d.field("scenes", &Technique::scenes, "Scenes of the study on which it runs; empty = all.");
+    d.field(
+        "refused_if", &Technique::refused_if,
+        "What the log says where the scene is not rendered so, but in another way: the row tells the line and has no "
+        "numbers.");
+    d.field("points_are", &Technique::points_are, "What the points' names are values of, such as lights.");
     d.field("points", &Technique::points, "Sets of parameters; empty = one without changes.");
     d.field("sweep", &Technique::sweep, "What is varied; the last one fastest.");
 }
@@ -85,6 +102,8 @@ void describe(StructBuilder<Study>& d) {
             {"frame", "processor"});
     d.field("plots", &Study::plots,
             "Metrics of which less is better, a plot each; frame_NAME is that of a frame without supersampling.");
+    d.field("against", &Study::against, "Parameters with numbers, over each of which the time is plotted.");
+    d.field("compare", &Study::compare, "Off: runs are only timed, and nothing is traced.");
     d.field("bench", &Study::bench, "How runs are timed.");
 }
 

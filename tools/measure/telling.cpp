@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "measure/results.h"
 
@@ -56,6 +57,7 @@ std::string parameters_of(const Row& row) {
 
 /// The plots' metrics first, then what else a reader asks for.
 std::vector<std::string> columns_of(const Results& results) {
+    if (!results.compare) return {};
     std::vector<std::string> columns = results.plots;
     for (const char* more : {"relmse", "frame_relmse", "flip", "worst_block"})
         if (std::ranges::find(columns, more) == columns.end()) columns.emplace_back(more);
@@ -69,7 +71,7 @@ std::string above_cell(const std::optional<double>& value) {
 std::vector<std::string> line_of(const Results& results, const Row& row) {
     std::vector<std::string> line{(row.on_front ? "● " : "") + row.technique, parameters_of(row)};
     if (!row.problem.empty()) {
-        line.push_back("failed: " + row.problem);
+        line.push_back((row.refused ? "cannot: " : "failed: ") + row.problem);
         return line;
     }
     line.push_back(fmt::format("{:.1f}", row.ms));
@@ -81,7 +83,7 @@ std::vector<std::string> line_of(const Results& results, const Row& row) {
         if (metric == "relmse" && row.within_noise) cell += " ≈";
         line.push_back(std::move(cell));
     }
-    line.push_back(mean_cell(row));
+    if (results.compare) line.push_back(mean_cell(row));
     line.push_back(fmt::format("{:.1f}", row.target_bytes / 1e6));
     return line;
 }
@@ -91,7 +93,7 @@ std::string about(const SceneResults& scene) {
     std::string text = fmt::format("{}x{} pixels", scene.size.x, scene.size.y);
     if (scene.supersample > 1)
         text += fmt::format(", compared at {0}x{0} samples a pixel, timed at one", scene.supersample);
-    text += "; reference: " + scene.reference;
+    if (!scene.reference.empty()) text += "; reference: " + scene.reference;
     if (scene.noise_floor >= 0) text += fmt::format("; its noise alone gives a relMSE of {:.2g}", scene.noise_floor);
     return text;
 }
@@ -104,7 +106,8 @@ Table table_of(const Results& results, const SceneResults& scene) {
     if (!results.baseline.empty()) table.head.emplace_back("above baseline, ms");
     table.head.emplace_back(results.baseline.empty() ? "processors, ms" : "processors above baseline, ms");
     for (const std::string& metric : columns_of(results)) table.head.push_back(label_of(metric));
-    table.head.insert(table.head.end(), {"mean ratio", "targets, MB"});
+    if (results.compare) table.head.emplace_back("mean ratio");
+    table.head.emplace_back("targets, MB");
     for (const Row& row : scene.rows) table.lines.push_back(line_of(results, row));
     for (auto& line : table.lines) line.resize(table.head.size());
     return table;
@@ -128,7 +131,7 @@ std::string markdown_of(const Results& results) {
         for (const auto& line : table.lines) text += row_text(line);
         text += "\n";
     }
-    text += "● is on the Pareto front; ≈ is no more than twice the noise of the reference.\n\n";
+    if (results.compare) text += "● is on the Pareto front; ≈ is no more than twice the noise of the reference.\n\n";
     for (const auto& [name, value] : results.facts) text += name + ": " + value + "  \n";
     return text;
 }
@@ -174,6 +177,41 @@ Plot plot_of(const Results& results, const SceneResults& scene, const std::strin
         plot.note += fmt::format("{}not drawn: {} of no measurable cost", plot.note.empty() ? "" : "; ", below);
     plot.description = fmt::format("{} over {} on logarithmic axes; {}.", plot.y_label, plot.x_label, about(scene));
     return plot;
+}
+
+Plot cost_plot_of(const Results& results, const SceneResults& scene, const std::string& parameter) {
+    Plot plot{.id = plain_name(scene.name + "-" + parameter), .title = scene.name + ": time over " + parameter};
+    plot.front = false;
+    plot.x_label = parameter;
+    plot.y_label = clock_label(results);
+    for (const Row& row : scene.rows) {
+        const auto has = [&](const auto& named) { return named.first == parameter; };
+        const auto value = std::ranges::find_if(row.parameters, has);
+        const auto cost = cost_of(results, row);
+        if (!cost || value == row.parameters.end()) continue;
+        std::string name = row.technique;  // what else it varies makes another line
+        for (const auto& other : row.parameters)
+            if (!has(other)) name += ", " + (other.first.empty() ? "" : other.first + " ") + other.second;
+        auto series = std::ranges::find(plot.series, name, &PlotSeries::name);
+        if (series == plot.series.end()) series = plot.series.insert(series, {name});
+        const double x = std::strtod(value->second.c_str(), nullptr);
+        series->points.push_back(
+            {x, *cost, fmt::format("{:.0f}", *cost), fmt::format("{}: {:.2f} ms", row.label, *cost)});
+    }
+    plot.note = "beside the markers: ms";
+    plot.description = fmt::format("{} over {} on logarithmic axes; {}.", plot.y_label, parameter, about(scene));
+    return plot;
+}
+
+std::vector<Plot> plots_of(const Results& results, const SceneResults& scene) {
+    std::vector<Plot> plots;
+    if (results.compare)
+        for (const std::string& metric : results.plots) plots.push_back(plot_of(results, scene, metric));
+    for (const std::string& parameter : results.against) {
+        Plot plot = cost_plot_of(results, scene, parameter);
+        if (!plot.series.empty()) plots.push_back(std::move(plot));
+    }
+    return plots;
 }
 
 }  // namespace tyndall::measure

@@ -20,18 +20,21 @@ namespace {
 std::atomic<bool> interrupted{false};
 
 struct MeasureOptions {
-    std::string study, cache, json, markdown, svg, report;
+    std::string study, cache, errors, json, markdown, svg, report;
     std::vector<std::string> only;
     bool restart = false, all_pictures = false;
 };
 
 std::string section_html(const measure::Results& results, const measure::SceneResults& scene) {
     std::string html;
-    for (const std::string& text : {scene.doc, "Reference: " + scene.reference + "."})
+    const std::string reference = scene.reference.empty() ? "" : "Reference: " + scene.reference + ".";
+    for (const std::string& text : {scene.doc, reference})
         if (!text.empty()) html += "<p>" + measure::escaped(text) + "</p>";
-    for (const std::string& metric : results.plots)
-        html += "<figure>" + measure::svg_of(measure::plot_of(results, scene, metric)) + "</figure>";
-    return html + measure::html_of(measure::table_of(results, scene)) +
+    for (const measure::Plot& plot : measure::plots_of(results, scene))
+        html += "<figure>" + measure::svg_of(plot) + "</figure>";
+    html += measure::html_of(measure::table_of(results, scene));
+    if (!results.compare) return html;
+    return html +
            "<p class=\"small\">● is on the Pareto front; ≈ is no more than twice the noise of the reference.</p>";
 }
 
@@ -75,10 +78,8 @@ class Output {
 
     void plots() const {
         for (const measure::SceneResults& scene : results_.scenes)
-            for (const std::string& metric : results_.plots) {
-                const measure::Plot plot = measure::plot_of(results_, scene, metric);
+            for (const measure::Plot& plot : measure::plots_of(results_, scene))
                 put(fs::path(options_.svg) / (plot.id + ".svg"), measure::svg_of(plot));
-            }
     }
 
     void report() const {
@@ -108,6 +109,7 @@ int measured(const MeasureOptions& options) {
     how.cache = options.cache.empty() ? paths::root() / "build" / "references" : fs::path(options.cache);
     how.only = options.only;
     how.restart = options.restart;
+    if (!options.errors.empty()) how.earlier = std::make_shared<EarlierErrors>(options.errors);
     how.cancelled = [] { return interrupted.load(); };
     const auto on_signal = [](int) { interrupted = true; };
     std::signal(SIGINT, on_signal);
@@ -144,6 +146,9 @@ void add_measure(CLI::App& app, Command& command) {
         ->allow_extra_args(false);
     sub->add_option("--cache", options->cache, "Folder of traced references; otherwise build/references");
     sub->add_flag("--restart", options->restart, "Measure again what an interrupted run had finished");
+    sub->add_option("--errors", options->errors,
+                    "Time alone; the errors are those of an earlier run, which wrote this file by --json")
+        ->type_name("FILE");
     sub->add_option("--json", options->json, "File for the numbers; - prints them");
     sub->add_option("--markdown", options->markdown, "File for a table; - prints it");
     sub->add_option("--svg", options->svg, "Folder for the plots");

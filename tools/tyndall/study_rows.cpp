@@ -19,7 +19,7 @@ std::optional<MeasuredRow> StudyRows::find(const std::string& key) {
     try {
         MeasuredRow found;
         found.row = measure::row_from_json(nlohmann::json::parse(paths::read_file(file(key, ".json"))));
-        if (!found.row.baseline) found.picture = load_image(file(key, ".exr"));
+        if (fs::exists(file(key, ".exr"))) found.picture = load_image(file(key, ".exr"));
         used_.push_back(key);
         return found;
     } catch (const std::exception& error) {
@@ -31,7 +31,7 @@ std::optional<MeasuredRow> StudyRows::find(const std::string& key) {
 
 void StudyRows::keep(const std::string& key, const MeasuredRow& row) {
     fs::create_directories(folder_);
-    if (!row.row.baseline) save_exr(file(key, ".exr"), row.picture);
+    if (!row.picture.empty()) save_exr(file(key, ".exr"), row.picture);
     paths::write_file_atomically(file(key, ".json"), measure::to_json(row.row).dump() + "\n");
     used_.push_back(key);
 }

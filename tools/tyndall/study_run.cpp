@@ -17,6 +17,7 @@
 #include "frame_timing.h"
 #include "image/comparison.h"
 #include "measure/noise_floor.h"
+#include "study_refusal.h"
 #include "trace_recipe.h"
 
 namespace tyndall {
@@ -102,21 +103,14 @@ bool StudyRun::measure_scene(const StudyScene& scene) {
     results.name = scene.name;
     results.doc = scene.doc;
     results.size = glm::ivec2(scene.size);
-    results.supersample = scene.supersample;
+    results.supersample = study_.compare ? scene.supersample : 1;
     Truth& truth = measured_scene.truth;
     std::string problem;
-    try {
-        truth = truth_of(study_, scene, films_, watch(scene.name));
-        if (!truth.complete) return false;
-        results.noise_floor = measure::noise_floor(truth.picture);
-        if (!truth.problem.empty()) log::warning("{}", truth.problem);
-        fmt::print("{}: reference {}\n", scene.name, truth.about);
-    } catch (const Error& error) {
-        problem = "no reference: " + line_of(error);
-        fmt::print("{}: {}\n", scene.name, problem);
-    }
-    results.reference = truth.about;
-    Engine engine(true);  // a fresh one: memory is then this scene's alone
+    if (options_.earlier)
+        options_.earlier->fill(results);
+    else if (study_.compare && !find_truth(scene, measured_scene, problem))
+        return false;
+    auto engine = std::make_unique<Engine>(true);  // a fresh one: memory is then this scene's alone
     for (const Run& run : runs_) {
         if (run.scene != &scene) continue;
         if (options_.cancelled && options_.cancelled()) return false;
@@ -127,8 +121,10 @@ bool StudyRun::measure_scene(const StudyScene& scene) {
         row.row.problem = problem;
         if (kept)
             row = std::move(*kept);
-        else if (problem.empty())
-            row = measured(run, engine, truth);
+        else if (problem.empty()) {
+            if (!run.technique->refused_if.empty()) engine = std::make_unique<Engine>(true);  // which says it again
+            row = measured(run, *engine, truth);
+        }
         row.row.scene = scene.name;
         row.row.technique = run.technique->name;
         row.row.label = run.label();
@@ -139,6 +135,22 @@ bool StudyRun::measure_scene(const StudyScene& scene) {
         results.rows.push_back(std::move(row.row));
         measured_scene.pictures.push_back(std::move(row.picture));
     }
+    return true;
+}
+
+bool StudyRun::find_truth(const StudyScene& scene, MeasuredScene& into, std::string& problem) {
+    Truth& truth = into.truth;
+    try {
+        truth = truth_of(study_, scene, films_, watch(scene.name));
+        if (!truth.complete) return false;
+        into.results.noise_floor = measure::noise_floor(truth.picture);
+        if (!truth.problem.empty()) log::warning("{}", truth.problem);
+        fmt::print("{}: reference {}\n", scene.name, truth.about);
+    } catch (const Error& error) {
+        problem = "no reference: " + line_of(error);
+        fmt::print("{}: {}\n", scene.name, problem);
+    }
+    into.results.reference = truth.about;
     return true;
 }
 
@@ -155,8 +167,19 @@ void StudyRun::keep(const std::string& key, const MeasuredRow& row) {
 MeasuredRow StudyRun::measured(const Run& run, Engine& engine, const Truth& truth) const {
     MeasuredRow row;
     try {
+        const Refusal refusal(run.technique->refused_if);
         time(run, engine, row.row);
-        if (!run.baseline) compare(run, engine, truth, row);
+        if (!refusal.reason().empty()) {
+            row = {};
+            row.row.refused = true;
+            row.row.problem = refusal.reason();
+            return row;
+        }
+        if (run.baseline || !study_.compare) return row;
+        if (options_.earlier)
+            options_.earlier->fill(run.scene->name, run.label(), row.row);
+        else
+            compare(run, engine, truth, row);
     } catch (const Error& error) {
         row = {};
         row.row.problem = line_of(error);
@@ -168,7 +191,7 @@ void StudyRun::time(const Run& run, Engine& engine, Row& row) const {
     engine.load_scene(study_.file.parent_path() / run.scene->scene, assignments(run.set));
     engine.select_camera(run.scene->camera);
     if (engine.extract().cameras.empty()) throw Error(run.scene->scene + ": the scene has no camera");
-    const FrameTime time = time_frames(engine, {glm::ivec2(run.scene->size), study_.bench.frames, study_.bench.warmup});
+    const FrameTime time = time_frames(engine, {glm::ivec2(run.size), study_.bench.frames, study_.bench.warmup});
     row.ms = time.whole;
     row.least_ms = time.least;
     row.processor_ms = time.processor;
@@ -207,10 +230,10 @@ std::string StudyRun::key_of(const Run& run, const Truth& truth) const {
                                 run.set,
                                 scene.subtract,
                                 scene.camera,
-                                {scene.size.x, scene.size.y, static_cast<float>(scene.supersample)},
+                                {run.size.x, run.size.y, static_cast<float>(scene.supersample)},
                                 {scene.frames, study_.bench.frames, study_.bench.warmup},
                                 study_.plots,
-                                truth.identity,
+                                truth.identity + (options_.earlier ? "timed alone" : ""),
                                 run.baseline};
     return content_hash(all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
@@ -219,11 +242,11 @@ void StudyRun::tell(const Row& row, bool kept) {
     const bool told = row.problem.starts_with("no reference: ");  // of the whole scene
     std::string what = row.problem.empty() ? fmt::format("{:.1f} ms", row.ms)
                        : told              ? "FAILED"
-                                           : "FAILED: " + row.problem;
+                                           : (row.refused ? "cannot: " : "FAILED: ") + row.problem;
     for (const std::string& metric : study_.plots)
         if (const auto found = row.metrics.find(metric); found != row.metrics.end())
             what += fmt::format(", {} {:.3g}", metric, found->second);
-    if (!row.problem.empty()) ++failed_;
+    if (!row.problem.empty() && !row.refused) ++failed_;
     fmt::print("[{}/{}] {}: {}: {}{}\n", ++done_, runs_.size(), row.scene, row.label, what,
                kept ? " (measured before the interruption)" : "");
     std::fflush(stdout);
@@ -249,6 +272,8 @@ measure::Results StudyRun::results() const {
     all.clock = study_.clock;
     all.baseline = study_.baseline;
     all.plots = study_.plots;
+    all.against = study_.against;
+    all.compare = study_.compare;
     const platform::GlInfo& gl = context_->gl_info();
     all.facts = {{"GL renderer", gl.renderer},
                  {"GL version", gl.version},
@@ -256,6 +281,7 @@ measure::Results StudyRun::results() const {
                  {"timing", fmt::format("median of {} frames after {}, by {}", study_.bench.frames, study_.bench.warmup,
                                         timing_method())},
                  {"program", build_info().version + " " + build_info().revision}};
+    if (options_.earlier) all.facts.emplace_back("errors", "measured by program " + options_.earlier->program());
     for (const MeasuredScene& scene : scenes_) all.scenes.push_back(scene.results);
     measure::conclude(all);
     return all;

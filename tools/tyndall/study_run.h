@@ -9,6 +9,7 @@
 
 #include "measure/results.h"
 #include "platform/context.h"
+#include "study_earlier.h"
 #include "study_rows.h"
 #include "study_truth.h"
 
@@ -16,10 +17,11 @@ namespace tyndall {
 
 /// How a study is run.
 struct StudyOptions {
-    std::filesystem::path cache;      ///< for films, and for the rows of a run that was interrupted
-    std::vector<std::string> only;    ///< names of scenes and techniques; empty = all
-    bool restart = false;             ///< measures again what an interrupted run had finished
-    std::function<bool()> cancelled;  ///< asked often, from several threads
+    std::filesystem::path cache;                   ///< for films, and for the rows of a run that was interrupted
+    std::vector<std::string> only;                 ///< names of scenes and techniques; empty = all
+    bool restart = false;                          ///< measures again what an interrupted run had finished
+    std::shared_ptr<const EarlierErrors> earlier;  ///< errors to take over: runs are timed alone
+    std::function<bool()> cancelled;               ///< asked often, from several threads
 };
 
 /// What is left in memory of a scene when it was measured.
@@ -46,6 +48,8 @@ class StudyRun {
 
  private:
     bool measure_scene(const measure::StudyScene& scene);
+    /// The scene's reference in `into`; the problem, where there is none. False when it was cancelled.
+    bool find_truth(const measure::StudyScene& scene, MeasuredScene& into, std::string& problem);
     [[nodiscard]] MeasuredRow measured(const measure::Run& run, Engine& engine, const Truth& truth) const;
     void time(const measure::Run& run, Engine& engine, measure::Row& row) const;
     void compare(const measure::Run& run, Engine& engine, const Truth& truth, MeasuredRow& row) const;
