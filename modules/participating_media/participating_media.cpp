@@ -17,9 +17,10 @@ class ParticipatingMedia final : public Module {
         const auto media = std::make_shared<MediaBuffer>();
         registrar.component<MediumComponent>(extract_medium);
         const MediaSettings& settings = registrar.settings<MediaSettings>();
-        registrar.pass(std::make_unique<MarchPass>(media, settings));
+        const auto march = std::make_shared<MarchTerms>(media, settings);
+        registrar.pass(std::make_unique<MarchPass>(media, march, settings));
         registrar.pass(std::make_unique<FilterPass>(media, settings));
-        registrar.pass(std::make_unique<GatherPass>(media, settings));
+        registrar.pass(std::make_unique<GatherPass>(media, march, settings));
         registrar.pass(std::make_unique<AnalyticPass>(media, settings));
         registrar.pass(std::make_unique<LightVolumesPass>(media, settings));
         registrar.pass(std::make_unique<EpipolarPass>(media, settings));
