@@ -142,6 +142,8 @@ struct MediaSettings {
     int32_t light_steps = 8;
     bool jitter = true;
     bool filter = true;
+    bool temporal = false;
+    float least_transmittance = 0.0001f;
     AnalyticSettings analytic;
     LightVolumesSettings light_volumes;
     EpipolarSettings epipolar;
@@ -164,8 +166,13 @@ inline void describe(StructBuilder<MediaSettings>& d) {
         .range(1, 256);
     d.field("jitter", &MediaSettings::jitter, "Blue-noise offsets: fine grain instead of bands.");
     d.field("filter", &MediaSettings::filter,
-            "Averages 3x3 (at half resolution 5x5) marched pixels of like distance: takes the grain off, softens edges "
-            "of shafts.");
+            "Averages 3x3 marched pixels of like distance: takes the grain off, softens edges of shafts.");
+    d.field("temporal", &MediaSettings::temporal,
+            "Averages the march over frames in which no light, caster or medium changes. Off: every frame stands for "
+            "itself and its pattern is still.");
+    d.field("least_transmittance", &MediaSettings::least_transmittance,
+            "Rays end where less than this share of the light gets to the eye; so much of it, at most, is lost.")
+        .range(0.0, 0.5);
     d.field("analytic", &MediaSettings::analytic, "The solver analytic.");
     d.field("light_volumes", &MediaSettings::light_volumes, "Of the solver light_volumes.");
     d.field("epipolar", &MediaSettings::epipolar, "Of the solver epipolar.");

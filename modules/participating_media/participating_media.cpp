@@ -5,6 +5,7 @@
 #include "froxels/froxel_pass.h"
 #include "god_rays/god_rays_pass.h"
 #include "light_volumes/light_volumes_pass.h"
+#include "march/accumulate_pass.h"
 #include "march/march_pass.h"
 #include "medium_component.h"
 #include "module/module.h"
@@ -19,6 +20,7 @@ class ParticipatingMedia final : public Module {
         const MediaSettings& settings = registrar.settings<MediaSettings>();
         const auto march = std::make_shared<MarchTerms>(media, settings);
         registrar.pass(std::make_unique<MarchPass>(media, march, settings));
+        registrar.pass(std::make_unique<AccumulatePass>(media, march, settings));
         registrar.pass(std::make_unique<FilterPass>(media, settings));
         registrar.pass(std::make_unique<GatherPass>(media, march, settings));
         registrar.pass(std::make_unique<AnalyticPass>(media, settings));

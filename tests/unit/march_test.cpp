@@ -15,8 +15,6 @@
 namespace tyndall {
 namespace {
 
-constexpr glm::ivec2 kSize{320, 180};
-
 struct Errors {
     double inside = 0.0, outside = 0.0, worst = 0.0;
 };
@@ -37,18 +35,27 @@ class MarchTest : public RendererTest {
         engine_->load_scene(paths::root() / "assets/scenes/s1_fog_spot.json", changes);
         scene_ = engine_->extract();
         frame_ = 0;
+        cut_ = false;
     }
     Image frame(std::string_view target = "media_in_scatter") {
-        scene_.camera_cut = frame_ == 0;
+        scene_.camera_cut = frame_ == 0 || cut_;
         scene_.frame = frame_++;
         engine_->renderer().retain({std::string(target)});
-        engine_->renderer().render(scene_, kSize);
+        engine_->renderer().render(scene_, size_);
         return picture(*engine_->renderer().target(target));
     }
+    void compare_motion(const char* what, const Assignments& changes, const std::function<void(int)>& move);
+
     std::unique_ptr<Engine> engine_;
     RenderScene scene_;
     uint64_t frame_ = 0;
+    glm::ivec2 size_{320, 180};
+    bool cut_ = false;
 };
+
+double srgb(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
 
 /// Pixels within 3 of a jump of the depth.
 std::vector<bool> silhouettes(const Image& depth) {
@@ -124,7 +131,9 @@ TEST_F(MarchTest, LowerResolutionsHaveNoHaloAtSilhouettes) {
                     c.resolution, c.steps, whole.relative_mse, errors.inside, errors.outside, errors.worst,
                     whole.mean_ratio);
         EXPECT_LT(whole.relative_mse, c.most);
-        if (c.resolution != std::string("full")) EXPECT_LE(errors.inside, 2.0 * errors.outside);
+        if (c.resolution != std::string("full")) {
+            EXPECT_LE(errors.inside, 2.0 * errors.outside);
+        }
         EXPECT_LT(errors.worst, c.worst) << "as much as the light itself";
         EXPECT_NEAR(whole.mean_ratio, 1.0, 0.005);
     }
@@ -142,6 +151,135 @@ TEST_F(MarchTest, LowerResolutionsShiftNothing) {
         std::printf("%s: shifted by %.4f, %.4f pixels\n", resolution, shift.x, shift.y);
         EXPECT_LT(glm::length(shift), 0.05);
     }
+}
+
+/// The error of a frame after motion and of one at rest in the same place, against many steps at full resolution.
+void MarchTest::compare_motion(const char* what, const Assignments& changes, const std::function<void(int)>& move) {
+    constexpr int kFrames = 12;
+    const auto last_of = [&](const Assignments& changed, bool still) {
+        load(changed);
+        Image last;
+        for (int i = 0; i < kFrames; ++i) {
+            move(still ? kFrames - 1 : i);
+            cut_ = cut_ && !still;
+            last = frame();
+        }
+        return last;
+    };
+    const Image moving = last_of(changes, false), still = last_of(changes, true);
+    load({{"/render/participating_media/steps", "256"}, {"/render/participating_media/filter", "false"}});
+    move(kFrames - 1);
+    const Image truth = frame();
+    const double error = compare_linear(truth, moving).relative_mse, at_rest = compare_linear(truth, still).relative_mse;
+    std::printf("%s: relMSE moving %.6f, at rest %.6f\n", what, error, at_rest);
+    EXPECT_LE(error, 2.0 * at_rest);
+    EXPECT_LT(at_rest, 0.002);
+}
+
+TEST_F(MarchTest, MotionLeavesNoTrail) {
+    size_ = {160, 90};
+    for (const char* resolution : {"full", "half"}) {
+        const Assignments changes{{"/render/participating_media/resolution", quoted(resolution)},
+                                  {"/render/participating_media/steps", "12"},
+                                  {"/render/participating_media/temporal", "true"}};
+        const std::string mode = resolution;
+        compare_motion((mode + ", light").c_str(), changes, [this](int i) {
+            scene_.lights[0].transform[3] = glm::vec4(-1.5f + 0.2f * float(i), 6.5f, -1.0f, 1.0f);
+        });
+        compare_motion((mode + ", flicker").c_str(), changes,
+                       [this](int i) { scene_.lights[0].intensity = glm::vec3(i % 2 == 0 ? 400.0f : 100.0f); });
+        compare_motion((mode + ", camera").c_str(), changes, [this](int i) {
+            scene_.camera.transform = test::looking({-1.2f + 0.2f * float(i), 2.6f, 8.0f}, {0, 2.6f, -1});
+        });
+        compare_motion((mode + ", turning camera").c_str(), changes, [this](int i) {
+            scene_.camera.transform = test::looking({0, 2.6f, 8.0f}, {-2.0f + 0.4f * float(i), 2.6f, -1});
+        });
+        compare_motion((mode + ", cut").c_str(), changes, [this](int i) {
+            const bool last = i == 11;
+            scene_.camera.transform = test::looking({last ? 3.0f : 0.0f, 2.6f, 8.0f}, {0, 2.6f, -1});
+            cut_ = last;
+        });
+    }
+}
+
+TEST_F(MarchTest, WithoutHistoryFramesAreTheSame) {
+    size_ = {160, 90};
+    load({{"/render/participating_media/resolution", "\"half\""}});
+    const Image first = frame();
+    (void)frame();
+    EXPECT_EQ(compare_linear(first, frame()).max_difference, 0.0);
+}
+
+TEST_F(MarchTest, RaysEndInThickFogWhereNothingIsSeen) {
+    const auto thick = [](const char* least, const char* steps) {
+        return Assignments{{"/entities/Spot", R"({ "name": "Spot", "transform": { "translation": [0, 9, 2], "look_at": [0, 0, 0] },
+                                                   "directional_light": { "illuminance_lux": 10 } })"},
+                           {"/entities/Fog/medium/scattering_per_m", "[1.5, 1.5, 1.5]"},
+                           {"/render/participating_media/least_transmittance", least},
+                           {"/render/participating_media/filter", "false"},
+                           {"/render/participating_media/steps", steps}};
+    };
+    size_ = {160, 90};
+    load(thick("0", "1024"));
+    const Image truth = frame();
+    load(thick("0.0001", "1024"));
+    const LinearDifference lost = compare_linear(truth, frame());
+    load(thick("0.0001", "12"));
+    const LinearDifference with = compare_linear(truth, frame());
+    load(thick("0", "12"));
+    const LinearDifference without = compare_linear(truth, frame());
+    std::printf("lost: relMSE %.2e, mean %.5f; 12 steps: relMSE %.5f, without it %.5f\n", lost.relative_mse,
+                lost.mean_ratio, with.relative_mse, without.relative_mse);
+    EXPECT_LT(lost.relative_mse, 1e-6);
+    EXPECT_NEAR(lost.mean_ratio, 1.0, 0.001);
+    EXPECT_LT(with.relative_mse, 0.7 * without.relative_mse);
+}
+
+/// What the display is sent of a smooth glow, against its values before they were rounded to 8 bits.
+TEST_F(MarchTest, EightBitsShowNoBands) {
+    const auto glow = [](const char* dither) {
+        return Assignments{{"/render/image/antialiasing", R"("none")"},
+                           {"/render/image/dither", dither},
+                           {"/render/participating_media/steps", "128"},
+                           {"/render/participating_media/jitter", "false"},
+                           {"/entities/Camera/transform/translation", "[3, 4, 8]"},
+                           {"/entities/Camera/transform/look_at", "[30, 4, -1]"},
+                           {"/entities/Spot/spot_light/intensity_cd", "20"},
+                           {"/entities/Spot/spot_light/outer_angle_deg", "89"},
+                           {"/entities/Spot/spot_light/shadow/enabled", "false"}};
+    };
+    constexpr int kBlock = 16;
+    double mean_error[2]{}, rest[2]{};
+    for (const bool dither : {false, true}) {
+        load(glow(dither ? "true" : "false"));
+        const Image exact = frame("radiance"), shown = frame("display");
+        double blocks = 0.0;
+        for (int top = 0; top + kBlock <= size_.y; top += kBlock)
+            for (int left = 0; left + kBlock <= size_.x; left += kBlock) {
+                double sum = 0.0, lag = 0.0, square = 0.0;
+                for (int y = top; y < top + kBlock; ++y)
+                    for (int x = left; x < left + kBlock; ++x) {
+                        const auto error = [&](int column) {
+                            return 255.0 * (double(shown.at(column, y, 1)) - srgb(std::min(exact.at(column, y, 1), 1.0f)));
+                        };
+                        sum += error(x);
+                        square += error(x) * error(x);
+                        if (x > left) lag += error(x) * error(x - 1);
+                        EXPECT_LE(std::abs(error(x)), dither ? 1.5 : 0.51);
+                    }
+                const double level = srgb(std::min(exact.at(left, top, 1), 1.0f));
+                if (level < 0.02 || level > 0.98) continue;  // dither leaves black and white alone
+                mean_error[dither] = std::max(mean_error[dither], std::abs(sum) / (kBlock * kBlock));
+                rest[dither] += lag / square;
+                blocks += 1.0;
+            }
+        rest[dither] /= blocks;
+    }
+    std::printf("worst mean of a block: %.4f of a step, without dither %.4f; correlation of neighbours' errors %.3f, %.3f\n",
+                mean_error[1], mean_error[0], rest[1], rest[0]);
+    EXPECT_LT(mean_error[1], 0.1);
+    EXPECT_GT(rest[0], 0.3) << "a gradient too steep for bands";
+    EXPECT_LT(rest[1], 0.1) << "errors of one sign side by side are a band";
 }
 
 }  // namespace

@@ -12,10 +12,6 @@ namespace {
 
 constexpr std::string_view kFilterShader = "participating_media/march/filter.frag";
 
-TargetDesc marched_target(const MediaSettings& settings) {
-    return {.format = gpu::Format::rgba32f, .scale = 1.0f / static_cast<float>(pixel_step(settings.resolution))};
-}
-
 bool below_full(const MediaSettings& settings) {
     return settings.resolution != Resolution::full;
 }
@@ -24,12 +20,21 @@ bool filters_apart(const MediaSettings& settings) {
     return settings.filter && below_full(settings);
 }
 
+/// What the filter reads.
+std::string found_grainy(const MediaSettings& settings) {
+    return settings.temporal ? "media_accumulated" : "media_marched";
+}
+
 /// What the gathering pass reads.
-std::string_view found(const MediaSettings& settings) {
-    return filters_apart(settings) ? "media_marched_filtered" : "media_marched";
+std::string found(const MediaSettings& settings) {
+    return filters_apart(settings) ? "media_marched_filtered" : found_grainy(settings);
 }
 
 }  // namespace
+
+TargetDesc marched_target(const MediaSettings& settings) {
+    return {.format = gpu::Format::rgba32f, .scale = 1.0f / static_cast<float>(pixel_step(settings.resolution))};
+}
 
 void MarchPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::media).reads("scene_depth", "where rays end");
@@ -52,7 +57,7 @@ void MarchPass::execute(PassContext& context) {
 void FilterPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::media);
     if (!filters_apart(settings_)) return;
-    declaration.reads("media_marched", "grainy")
+    declaration.reads(found_grainy(settings_), "grainy")
         .reads("scene_depth", "where rays end")
         .writes("media_marched_filtered", marched_target(settings_), "the same without its grain");
 }
@@ -67,14 +72,14 @@ void FilterPass::execute(PassContext& context) {
     program.use();
     bind_frame(program, context.frame());
     MarchTerms::bind_ray(program, context, pixel_step(settings_.resolution));
-    program.texture("marched", context.texture("media_marched"), {.filter = gpu::Filter::nearest});
+    program.texture("marched", context.texture(found_grainy(settings_)), {.filter = gpu::Filter::nearest});
     gpu::draw_fullscreen();
 }
 
 void GatherPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::media)
         .reads("scene_depth", "where rays end")
-        .reads(std::string(found(settings_)), "what the march found")
+        .reads(found(settings_), "what the march found")
         .writes("media_in_scatter", {.format = gpu::Format::rgba32f},
                 "single-scattered radiance between the eye and the surface, and that distance");
     if (!below_full(settings_)) return;

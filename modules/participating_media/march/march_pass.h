@@ -10,6 +10,9 @@
 
 namespace tyndall::participating_media {
 
+/// Of what is marched.
+[[nodiscard]] TargetDesc marched_target(const MediaSettings& settings);
+
 /// Writes `media_marched`: rgb single-scattered radiance between the eye and the surface (cd/m2), a its guide
 /// (shaders/march/guide.glsl), at full, half or quarter resolution.
 class MarchPass final : public Pass {
@@ -27,7 +30,7 @@ class MarchPass final : public Pass {
     const MediaSettings& settings_;
 };
 
-/// Below full resolution: sums 5x5 marched pixels of like distance into `media_marched_filtered`; the errors of the
+/// Below full resolution: sums 3x3 marched pixels of like distance into `media_marched_filtered`; the errors of the
 /// blue-noise mask cancel there.
 class FilterPass final : public Pass {
  public:

@@ -7,11 +7,6 @@
 #include "render/frame.h"
 
 namespace tyndall::participating_media {
-namespace {
-
-constexpr int kListedSteps = 2;  ///< times those of marched pixels
-
-}  // namespace
 
 int pixel_step(Resolution resolution) {
     switch (resolution) {
@@ -45,6 +40,7 @@ MarchTerms::MarchTerms(std::shared_ptr<MediaBuffer> media, const MediaSettings& 
                 MediaPrograms(describe(Way::listed, "march"))} {}
 
 void MarchTerms::march(PassContext& context) {
+    if (settings_.temporal) history_.update(context.frame(), *media_, pixel_step(settings_.resolution));
     draw(context, Way::marched);
 }
 
@@ -117,8 +113,15 @@ int MarchTerms::step() const {
     return way_ == Way::marched ? pixel_step(settings_.resolution) : 1;
 }
 
+/// Twice as many where no mean over neighbours or frames follows.
+int MarchTerms::steps() const {
+    const bool alone = way_ == Way::listed || (settings_.temporal && history_.alone());
+    return alone ? 2 * settings_.steps : settings_.steps;
+}
+
 void MarchTerms::bind(const gpu::Program& program, PassContext& context) const {
     bind_ray(program, context, step());
+    program.set("least_transmittance", settings_.least_transmittance);
     if (way_ == Way::guide_only) {
         program.texture("media_shares", context.texture("media_shares"), {.filter = gpu::Filter::nearest});
         return;
@@ -129,9 +132,10 @@ void MarchTerms::bind(const gpu::Program& program, PassContext& context) const {
     }
     program.texture("blue_noise", blue_noise_,
                     {.filter = gpu::Filter::nearest, .wrap_u = gpu::Wrap::repeat, .wrap_v = gpu::Wrap::repeat});
-    // no filter follows on listed pixels
-    program.set("steps", way_ == Way::listed ? kListedSteps * settings_.steps : settings_.steps);
+    program.set("steps", steps());
     program.set("once", 1);
+    const bool moves = settings_.temporal && way_ == Way::marched;
+    program.set("frame_offset", moves ? static_cast<float>(context.frame().scene.frame % 1024) * 0.61803399f : 0.0f);
     program.set("fixed_offset", settings_.jitter ? -1.0f : 0.5f);
 }
 

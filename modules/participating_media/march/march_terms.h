@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "march/march_history.h"
 #include "media_buffer.h"
 #include "media_programs.h"
 #include "media_settings.h"
@@ -26,6 +27,8 @@ class MarchTerms {
     void add_shares(PassContext& context);
     /// Marches the pixels of the list that shares.comp made, and adds them to "media_in_scatter".
     void march_listed(PassContext& context, const gpu::Buffer& list);
+    /// What of the last frames holds; only with "temporal".
+    [[nodiscard]] const MarchHistory& history() const { return history_; }
     /// Sets what shaders/march/ray.glsl declares.
     static void bind_ray(const gpu::Program& program, PassContext& context, int pixel_step);
 
@@ -36,6 +39,7 @@ class MarchTerms {
     void draw(PassContext& context, Way way);
     void draw_or_dispatch() const;
     [[nodiscard]] int step() const;
+    [[nodiscard]] int steps() const;
     void draw_light(PassContext& context, size_t light, int medium);
     /// What lights a medium evenly: its own emission, or light from all around.
     void draw_glow(PassContext& context, Term::Source source, int medium);
@@ -47,6 +51,7 @@ class MarchTerms {
     std::array<MediaPrograms, 3> programs_;  ///< by Way
     Way way_ = Way::marched;                 ///< of the draws that are being made
     const gpu::Buffer* list_ = nullptr;
+    MarchHistory history_;
 };
 
 }  // namespace tyndall::participating_media

@@ -12,7 +12,7 @@ vec3 march(vec3 origin, vec3 direction, float t0, float t1, float offset) {
     vec3 to_eye = media_transmittance(origin, direction, 0.0, t0);
     float reached = t0;
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < steps; ++i) {
+    for (int i = 0; i < steps && largest(to_eye) >= least_transmittance; ++i) {
         float t = t0 + (float(i) + offset) * ds;
         vec3 p = origin + direction * t;
         to_eye *= exp(-media_optical_depth(origin, direction, reached, t, 1));

@@ -26,7 +26,7 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
     // where the density varies, and few steps would lose light.
     vec3 to_eye = media_transmittance(ray.origin, ray.direction, 0.0, t0);
     float reached = t0;
-    for (int i = 0; i < steps; ++i) {
+    for (int i = 0; i < steps && largest(to_eye) >= least_transmittance; ++i) {
         float t = t0 + (float(i) + offset) * ds;
         to_eye *= exp(-media_optical_depth(ray.origin, ray.direction, reached, t, 1));
         reached = t;
@@ -50,8 +50,10 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
 #if !defined(ONE_MEDIUM) || !defined(EVEN_MEDIA)
     vec3 to_eye = media_transmittance(ray.origin, ray.direction, 0.0, t0);
     float reached = t0;
-#endif
+    for (int i = 0; i < steps && largest(to_eye) >= least_transmittance; ++i) {
+#else
     for (int i = 0; i < steps; ++i) {
+#endif
         float tangent = at.y / at.x;
         float t = clamp(closest + passing * tangent, t0, t1);
         // the integral of 1/d^2 over the step is dangle / passing; `source` has 1/d^2 at t in it
@@ -100,6 +102,9 @@ vec4 march_pixel(ivec2 pixel, ivec2 noise_at) {
     float t0 = 0.0, t1 = pixel_metres(pixel);
     if (!clip_to_medium(medium, ray.origin, ray.direction, t0, t1)) return vec4(0.0);
     float entry = t0;
+#if defined(ONE_MEDIUM) && defined(EVEN_MEDIA)
+    t1 = min(t1, entry - log(max(least_transmittance, 1e-30)) / max(least(media[medium].sigma_t.rgb), 1e-30));
+#endif
     if (!light_segment(light_index, ray.origin, ray.direction, t0, t1)) return vec4(0.0);
     float guide = guide_of(ray, t0, t1);
 #ifdef GUIDE_ONLY
