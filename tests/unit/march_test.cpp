@@ -244,7 +244,7 @@ TEST_F(MarchTest, EightBitsShowNoBands) {
                            {"/render/participating_media/jitter", "false"},
                            {"/entities/Camera/transform/translation", "[3, 4, 8]"},
                            {"/entities/Camera/transform/look_at", "[30, 4, -1]"},
-                           {"/entities/Spot/spot_light/intensity_cd", "20"},
+                           {"/entities/Spot/spot_light/intensity_cd", "1000"},
                            {"/entities/Spot/spot_light/outer_angle_deg", "89"},
                            {"/entities/Spot/spot_light/shadow/enabled", "false"}};
     };
