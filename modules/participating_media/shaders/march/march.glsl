@@ -78,19 +78,15 @@ float guide_of(Ray ray, float t0, float t1) {
 #if LIGHT_KIND == 2
     return weight * (t1 - t0);
 #else
-    vec3 to_light = light_position(light_index) - ray.origin;
-    float closest = dot(to_light, ray.direction);
-    float passing = max(length(to_light - closest * ray.direction), 1e-3);
-    float a = t0 - closest, b = t1 - closest;
-    float angle = atan((b - a) * passing, passing * passing + a * b);
-    weight *= angle / passing;
+    vec3 from_light = ray.origin - light_position(light_index);
+    float passing = max(length(from_light - dot(from_light, ray.direction) * ray.direction), 1e-3);
+    vec3 a = normalize(from_light + t0 * ray.direction), b = normalize(from_light + t1 * ray.direction);
+    vec3 middle = normalize(a + b);
+    weight *= 2.0 * atan(length(b - middle), length(b + middle)) * 2.0 / passing;  // the angle, precise when small
 #if LIGHT_KIND == 1
     // the cone's profile in the middle of the angle: near the lamp a cone is narrower than a few pixels
-    float middle = 0.5 * (atan(a / passing) + atan(b / passing));
-    vec3 axis = light_data(light_index).direction_kind.xyz;
-    float cosine = dot(ray.direction, axis) * sin(middle) - dot(to_light - closest * ray.direction, axis) / passing * cos(middle);
-    weight *= spot_falloff(int(light_data(light_index).intensity_profile.w), cosine, light_data(light_index).up_cos_inner.w,
-                           light_data(light_index).right_cos_outer.w);
+    weight *= spot_falloff(int(light_data(light_index).intensity_profile.w), dot(middle, light_data(light_index).direction_kind.xyz),
+                           light_data(light_index).up_cos_inner.w, light_data(light_index).right_cos_outer.w);
 #endif
     return weight;
 #endif

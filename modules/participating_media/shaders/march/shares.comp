@@ -55,6 +55,6 @@ void main() {
     sum = flat_there ? plane : sum;
     bool known = (flat_there || fits > kLeast) && most - least <= kDisagree * (most + least) && sum.a > 0.0;
     imageStore(media_shares, pixel, known ? vec4(sum.rgb / max(sum.a, 1e-30), 0.0) : vec4(0.0));
-    imageStore(media_in_scatter, pixel, vec4(0.0, 0.0, 0.0, pixel_metres(pixel)));
+    imageStore(media_in_scatter, pixel, vec4(0.0, 0.0, 0.0, depth > 0.0 ? eye_distance(pixel_uv(pixel), depth) : farthest));
     if (!known && plane.a > 0.0) list(pixel);
 }
