@@ -143,6 +143,7 @@ struct MediaSettings {
     bool jitter = true;
     bool filter = true;
     bool temporal = false;
+    bool shadow_mips = false;
     float least_transmittance = 0.0001f;
     AnalyticSettings analytic;
     LightVolumesSettings light_volumes;
@@ -170,6 +171,9 @@ inline void describe(StructBuilder<MediaSettings>& d) {
     d.field("temporal", &MediaSettings::temporal,
             "Averages the march over frames in which no light, caster or medium changes. Off: every frame stands for "
             "itself and its pattern is still.");
+    d.field("shadow_mips", &MediaSettings::shadow_mips,
+            "Leaves out the ends of rays that are in shadow, by least depths over parts of the shadow map, so that steps "
+            "fall where light is. For spots and suns whose shadow is one map.");
     d.field("least_transmittance", &MediaSettings::least_transmittance,
             "Rays end where less than this share of the light gets to the eye; so much of it, at most, is lost.")
         .range(0.0, 0.5);

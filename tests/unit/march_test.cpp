@@ -235,6 +235,32 @@ TEST_F(MarchTest, RaysEndInThickFogWhereNothingIsSeen) {
     EXPECT_LT(with.relative_mse, 0.7 * without.relative_mse);
 }
 
+TEST_F(MarchTest, WhatIsSkippedIsDark) {
+    double error[2]{};
+    for (const bool skip : {false, true}) {
+        Image fine;
+        for (const char* steps : {"512", "6"}) {
+            load({{"/render/participating_media/filter", "false"},
+                  {"/render/participating_media/steps", steps},
+                  {"/render/participating_media/shadow_mips", skip && steps[0] == '6' ? "true" : "false"}});
+            if (steps[0] == '5')
+                fine = frame();
+            else
+                error[skip] = compare_linear(fine, frame()).relative_mse;
+        }
+        if (!skip) continue;
+        load({{"/render/participating_media/filter", "false"},
+              {"/render/participating_media/steps", "512"},
+              {"/render/participating_media/shadow_mips", "true"}});
+        const LinearDifference same = compare_linear(fine, frame());
+        std::printf("512 steps: relMSE %.2e, mean ratio %.6f; 6 steps: %.5f, without %.5f\n", same.relative_mse,
+                    same.mean_ratio, error[1], error[0]);
+        EXPECT_LT(same.relative_mse, 1e-4);
+        EXPECT_NEAR(same.mean_ratio, 1.0, 1e-4);
+        EXPECT_LT(error[1], error[0]);
+    }
+}
+
 /// What the display is sent of a smooth glow, against its values before they were rounded to 8 bits.
 TEST_F(MarchTest, EightBitsShowNoBands) {
     const auto glow = [](const char* dither) {

@@ -36,8 +36,8 @@ gpu::ProgramDesc MarchTerms::describe(Way way, const std::string& what) {
 MarchTerms::MarchTerms(std::shared_ptr<MediaBuffer> media, const MediaSettings& settings)
     : media_(std::move(media)),
       settings_(settings),
-      programs_{MediaPrograms(describe(Way::marched, "march")), MediaPrograms(describe(Way::guide_only, "march")),
-                MediaPrograms(describe(Way::listed, "march"))} {}
+      programs_{MediaPrograms(describe(Way::marched, "march"), {"SHADOW_MIPS"}), MediaPrograms(describe(Way::guide_only, "march"), {"SHADOW_MIPS"}),
+                MediaPrograms(describe(Way::listed, "march"), {"SHADOW_MIPS"})} {}
 
 void MarchTerms::march(PassContext& context) {
     if (settings_.temporal) history_.update(context.frame(), *media_, pixel_step(settings_.resolution));
@@ -58,6 +58,7 @@ void MarchTerms::march_listed(PassContext& context, const gpu::Buffer& list) {
 void MarchTerms::draw(PassContext& context, Way way) {
     if (blue_noise_.name() == 0) blue_noise_ = make_blue_noise();
     way_ = way;
+    skips_dark_ = settings_.shadow_mips && way != Way::guide_only && shadow_mips_.update(context.frame());
     MediaPrograms& programs = programs_.at(static_cast<size_t>(way));
     programs.begin();
     for (const Term& term : media_->plan().terms(Solver::ray_marched)) {
@@ -97,7 +98,7 @@ void MarchTerms::draw_light(PassContext& context, size_t light, int medium) {
     const ScreenRectangle rectangle = light_rectangle(frame.scene.lights[light], frame.block.view_projection, size);
     if (rectangle.empty()) return;
     const PhaseKind phase = media_->media()[static_cast<size_t>(medium)].phase.kind;
-    const gpu::Program& program = programs_.at(static_cast<size_t>(way_)).of(*media_, phase).use(frame, light, [&](const gpu::Program& fresh) {
+    const gpu::Program& program = programs_.at(static_cast<size_t>(way_)).of(*media_, phase, {skips_dark_ ? 1 : 0}).use(frame, light, [&](const gpu::Program& fresh) {
         bind_light_source(fresh, context, *media_, settings_.light_steps);
         bind(fresh, context);
     });
@@ -132,6 +133,7 @@ void MarchTerms::bind(const gpu::Program& program, PassContext& context) const {
     }
     program.texture("blue_noise", blue_noise_,
                     {.filter = gpu::Filter::nearest, .wrap_u = gpu::Wrap::repeat, .wrap_v = gpu::Wrap::repeat});
+    if (skips_dark_) shadow_mips_.bind(program);
     program.set("steps", steps());
     program.set("once", 1);
     const bool moves = settings_.temporal && way_ == Way::marched;

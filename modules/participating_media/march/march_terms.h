@@ -6,6 +6,7 @@
 #include <string>
 
 #include "march/march_history.h"
+#include "march/shadow_mips.h"
 #include "media_buffer.h"
 #include "media_programs.h"
 #include "media_settings.h"
@@ -52,6 +53,8 @@ class MarchTerms {
     Way way_ = Way::marched;                 ///< of the draws that are being made
     const gpu::Buffer* list_ = nullptr;
     MarchHistory history_;
+    ShadowMips shadow_mips_;
+    bool skips_dark_ = false;
 };
 
 }  // namespace tyndall::participating_media

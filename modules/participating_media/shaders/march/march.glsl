@@ -7,6 +7,9 @@
 // eye is exact for even media, for blobs and for height fog; through noise and grids it is taken once a step.
 #include "participating_media/light_source.glsl"
 #include "participating_media/march/guide.glsl"
+#if SHADOW_MIPS == 1 && SHADOW_VIEWS == 1
+#include "participating_media/march/lit_part.glsl"
+#endif
 
 #ifndef GUIDE_ONLY
 #if LIGHT_KIND == 2  // LIGHT_DIRECTIONAL
@@ -107,6 +110,9 @@ vec4 march_pixel(ivec2 pixel, ivec2 noise_at) {
     return vec4(vec3(0.0), guide);
 #else
     float offset = step_offset(noise_at);
+#if SHADOW_MIPS == 1 && SHADOW_VIEWS == 1
+    if (!clip_to_lit(ray.origin, ray.direction, t0, t1)) return vec4(vec3(0.0), guide);
+#endif
     media_sample_offset = fixed_offset >= 0.0 ? 0.5 : fract(offset + 0.61803399);  // not the steps' own offset
     vec3 radiance = media[medium].sigma_s_phase.rgb * march(ray, t0, t1, offset);
 #if defined(ONE_MEDIUM) && defined(EVEN_MEDIA)
