@@ -155,10 +155,11 @@ struct MediaSettings {
 inline void describe(StructBuilder<MediaSettings>& d) {
     d.doc("Single scattering in media. The march's error falls with the number of steps, its time grows with it.");
     d.field("enabled", &MediaSettings::enabled, "Off: media neither glow nor dim.");
-    d.field("resolution", &MediaSettings::resolution,
-            "Half marches a quarter of the pixels, quarter a sixteenth, and upsamples by depth; silhouettes are marched "
-            "in full.",
-            {"full", "half", "quarter"});
+    d.field(
+        "resolution", &MediaSettings::resolution,
+        "Half marches a quarter of the pixels, quarter a sixteenth, and upsamples by depth; silhouettes are marched "
+        "in full.",
+        {"full", "half", "quarter"});
     d.field("steps", &MediaSettings::steps,
             "Steps over the part of a ray that lies in a medium and in a light's volume.")
         .range(1, 1024);
@@ -171,9 +172,10 @@ inline void describe(StructBuilder<MediaSettings>& d) {
     d.field("temporal", &MediaSettings::temporal,
             "Averages the march over frames in which no light, caster or medium changes. Off: every frame stands for "
             "itself and its pattern is still.");
-    d.field("shadow_mips", &MediaSettings::shadow_mips,
-            "Leaves out the ends of rays that are in shadow, by least depths over parts of the shadow map, so that steps "
-            "fall where light is. For spots and suns whose shadow is one map.");
+    d.field(
+        "shadow_mips", &MediaSettings::shadow_mips,
+        "Leaves out the ends of rays that are in shadow, by least depths over parts of the shadow map, so that steps "
+        "fall where light is. For spots and suns whose shadow is one map.");
     d.field("least_transmittance", &MediaSettings::least_transmittance,
             "Rays end where less than this share of the light gets to the eye; so much of it, at most, is lost.")
         .range(0.0, 0.5);

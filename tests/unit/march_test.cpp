@@ -63,7 +63,8 @@ std::vector<bool> silhouettes(const Image& depth) {
     const auto jumps = [&](int x, int y) {
         const float d = depth.at(x, y, 0);
         for (const glm::ivec2 step : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
-            const float other = depth.at(std::min(x + step.x, depth.width - 1), std::min(y + step.y, depth.height - 1), 0);
+            const float other =
+                depth.at(std::min(x + step.x, depth.width - 1), std::min(y + step.y, depth.height - 1), 0);
             if (std::abs(other - d) > 0.05f * std::max(d, other)) return true;
         }
         return false;
@@ -98,7 +99,8 @@ Errors compare(const Image& truth, const Image& test, const std::vector<bool>& m
     return errors;
 }
 
-/// By how many pixels to the right (of the picture, and up) `test` lies beside `truth`: least squares of test = truth - shift * gradient.
+/// By how many pixels to the right (of the picture, and up) `test` lies beside `truth`: least squares of test = truth -
+/// shift * gradient.
 glm::dvec2 shift_of(const Image& truth, const Image& test) {
     glm::dvec2 products(0.0), squares(0.0);
     for (int y = 1; y + 1 < truth.height; ++y)
@@ -140,7 +142,8 @@ TEST_F(MarchTest, LowerResolutionsHaveNoHaloAtSilhouettes) {
 }
 
 TEST_F(MarchTest, LowerResolutionsShiftNothing) {
-    const Assignments fine{{"/render/participating_media/steps", "64"}, {"/render/participating_media/filter", "false"}};
+    const Assignments fine{{"/render/participating_media/steps", "64"},
+                           {"/render/participating_media/filter", "false"}};
     load(fine);
     const Image truth = frame();
     for (const char* resolution : {"half", "quarter"}) {
@@ -170,7 +173,8 @@ void MarchTest::compare_motion(const char* what, const Assignments& changes, con
     load({{"/render/participating_media/steps", "256"}, {"/render/participating_media/filter", "false"}});
     move(kFrames - 1);
     const Image truth = frame();
-    const double error = compare_linear(truth, moving).relative_mse, at_rest = compare_linear(truth, still).relative_mse;
+    const double error = compare_linear(truth, moving).relative_mse,
+                 at_rest = compare_linear(truth, still).relative_mse;
     std::printf("%s: relMSE moving %.6f, at rest %.6f\n", what, error, at_rest);
     EXPECT_LE(error, 2.0 * at_rest);
     EXPECT_LT(at_rest, 0.002);
@@ -212,12 +216,13 @@ TEST_F(MarchTest, WithoutHistoryFramesAreTheSame) {
 
 TEST_F(MarchTest, RaysEndInThickFogWhereNothingIsSeen) {
     const auto thick = [](const char* least, const char* steps) {
-        return Assignments{{"/entities/Spot", R"({ "name": "Spot", "transform": { "translation": [0, 9, 2], "look_at": [0, 0, 0] },
+        return Assignments{
+            {"/entities/Spot", R"({ "name": "Spot", "transform": { "translation": [0, 9, 2], "look_at": [0, 0, 0] },
                                                    "directional_light": { "illuminance_lux": 10 } })"},
-                           {"/entities/Fog/medium/scattering_per_m", "[1.5, 1.5, 1.5]"},
-                           {"/render/participating_media/least_transmittance", least},
-                           {"/render/participating_media/filter", "false"},
-                           {"/render/participating_media/steps", steps}};
+            {"/entities/Fog/medium/scattering_per_m", "[1.5, 1.5, 1.5]"},
+            {"/render/participating_media/least_transmittance", least},
+            {"/render/participating_media/filter", "false"},
+            {"/render/participating_media/steps", steps}};
     };
     size_ = {160, 90};
     load(thick("0", "1024"));
@@ -286,7 +291,8 @@ TEST_F(MarchTest, EightBitsShowNoBands) {
                 for (int y = top; y < top + kBlock; ++y)
                     for (int x = left; x < left + kBlock; ++x) {
                         const auto error = [&](int column) {
-                            return 255.0 * (double(shown.at(column, y, 1)) - srgb(std::min(exact.at(column, y, 1), 1.0f)));
+                            return 255.0 *
+                                   (double(shown.at(column, y, 1)) - srgb(std::min(exact.at(column, y, 1), 1.0f)));
                         };
                         sum += error(x);
                         square += error(x) * error(x);
@@ -301,8 +307,9 @@ TEST_F(MarchTest, EightBitsShowNoBands) {
             }
         rest[dither] /= blocks;
     }
-    std::printf("worst mean of a block: %.4f of a step, without dither %.4f; correlation of neighbours' errors %.3f, %.3f\n",
-                mean_error[1], mean_error[0], rest[1], rest[0]);
+    std::printf(
+        "worst mean of a block: %.4f of a step, without dither %.4f; correlation of neighbours' errors %.3f, %.3f\n",
+        mean_error[1], mean_error[0], rest[1], rest[0]);
     EXPECT_LT(mean_error[1], 0.1);
     EXPECT_GT(rest[0], 0.3) << "a gradient too steep for bands";
     EXPECT_LT(rest[1], 0.1) << "errors of one sign side by side are a band";

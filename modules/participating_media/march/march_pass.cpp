@@ -63,9 +63,8 @@ void FilterPass::declare(PassDeclaration& declaration) {
 }
 
 void FilterPass::execute(PassContext& context) {
-    static const gpu::ProgramDesc kDesc{.name = "participating_media.filter",
-                                        .fragment = std::string(kFilterShader),
-                                        .defines = {"RADIUS 1"}};
+    static const gpu::ProgramDesc kDesc{
+        .name = "participating_media.filter", .fragment = std::string(kFilterShader), .defines = {"RADIUS 1"}};
     if (!media_->plan().uses(Solver::ray_marched)) return;
     context.bind_targets();
     const gpu::Program& program = context.frame().shaders.program(kDesc);

@@ -47,8 +47,8 @@ class FilterPass final : public Pass {
 
 /// Creates `media_in_scatter`: rgb single-scattered radiance between the eye and the surface (cd/m2), a that distance
 /// (m), at the frame's resolution; the other solvers add to it. At full resolution it filters 3x3 pixels of like
-/// distance. Below, it upsamples what part of the guide was found, times the guide of each pixel, and marches the pixels
-/// of which marched pixels say too little.
+/// distance. Below, it upsamples what part of the guide was found, times the guide of each pixel, and marches the
+/// pixels of which marched pixels say too little.
 class GatherPass final : public Pass {
  public:
     GatherPass(std::shared_ptr<MediaBuffer> media, std::shared_ptr<MarchTerms> terms, const MediaSettings& settings)

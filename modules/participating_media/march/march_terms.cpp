@@ -36,7 +36,8 @@ gpu::ProgramDesc MarchTerms::describe(Way way, const std::string& what) {
 MarchTerms::MarchTerms(std::shared_ptr<MediaBuffer> media, const MediaSettings& settings)
     : media_(std::move(media)),
       settings_(settings),
-      programs_{MediaPrograms(describe(Way::marched, "march"), {"SHADOW_MIPS"}), MediaPrograms(describe(Way::guide_only, "march"), {"SHADOW_MIPS"}),
+      programs_{MediaPrograms(describe(Way::marched, "march"), {"SHADOW_MIPS"}),
+                MediaPrograms(describe(Way::guide_only, "march"), {"SHADOW_MIPS"}),
                 MediaPrograms(describe(Way::listed, "march"), {"SHADOW_MIPS"})} {}
 
 void MarchTerms::march(PassContext& context) {
@@ -98,10 +99,12 @@ void MarchTerms::draw_light(PassContext& context, size_t light, int medium) {
     const ScreenRectangle rectangle = light_rectangle(frame.scene.lights[light], frame.block.view_projection, size);
     if (rectangle.empty()) return;
     const PhaseKind phase = media_->media()[static_cast<size_t>(medium)].phase.kind;
-    const gpu::Program& program = programs_.at(static_cast<size_t>(way_)).of(*media_, phase, {skips_dark_ ? 1 : 0}).use(frame, light, [&](const gpu::Program& fresh) {
-        bind_light_source(fresh, context, *media_, settings_.light_steps);
-        bind(fresh, context);
-    });
+    const gpu::Program& program = programs_.at(static_cast<size_t>(way_))
+                                      .of(*media_, phase, {skips_dark_ ? 1 : 0})
+                                      .use(frame, light, [&](const gpu::Program& fresh) {
+                                          bind_light_source(fresh, context, *media_, settings_.light_steps);
+                                          bind(fresh, context);
+                                      });
     program.set("light_index", static_cast<unsigned>(light));
     program.set("medium", medium);
     glEnable(GL_SCISSOR_TEST);

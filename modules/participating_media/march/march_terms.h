@@ -22,7 +22,8 @@ class MarchTerms {
     /// `settings` must outlive this.
     MarchTerms(std::shared_ptr<MediaBuffer> media, const MediaSettings& settings);
 
-    /// Marches all terms into the bound target: adds rgb radiance (cd/m2) and in a its guide (shaders/march/guide.glsl).
+    /// Marches all terms into the bound target: adds rgb radiance (cd/m2) and in a its guide
+    /// (shaders/march/guide.glsl).
     void march(PassContext& context);
     /// Adds to each pixel of the bound frame the guide times the target "media_shares".
     void add_shares(PassContext& context);

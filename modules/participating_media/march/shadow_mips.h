@@ -9,8 +9,8 @@
 
 namespace tyndall::participating_media {
 
-/// A pyramid over the pages of the shadow maps: each texel of its first level has the least and largest depth of 8x8 texels
-/// of a page, those above of 2x2 below. Made again when a view was.
+/// A pyramid over the pages of the shadow maps: each texel of its first level has the least and largest depth of 8x8
+/// texels of a page, those above of 2x2 below. Made again when a view was.
 class ShadowMips {
  public:
     /// False when there are no shadow maps.
