@@ -1,56 +1,18 @@
-// The ray march below full resolution, from frame to frame, and on 8 bits.
+// The ray march below full resolution, in thick fog, in the dark and on 8 bits.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
-#include <functional>
 
-#include "app/engine.h"
-#include "core/paths.h"
-#include "gpu_fixture.h"
 #include "image/compare.h"
-#include "renderer_fixture.h"
+#include "march_fixture.h"
 
 namespace tyndall {
 namespace {
 
 struct Errors {
     double inside = 0.0, outside = 0.0, worst = 0.0;
-};
-
-std::string quoted(const std::string& text) {
-    return '"' + text + '"';
-}
-
-class MarchTest : public RendererTest {
- protected:
-    void TearDown() override {
-        EXPECT_EQ(engine_->problems(), "");
-        engine_.reset();
-        RendererTest::TearDown();
-    }
-    void load(const Assignments& changes) {
-        if (!engine_) engine_ = std::make_unique<Engine>(true);
-        engine_->load_scene(paths::root() / "assets/scenes/s1_fog_spot.json", changes);
-        scene_ = engine_->extract();
-        frame_ = 0;
-        cut_ = false;
-    }
-    Image frame(std::string_view target = "media_in_scatter") {
-        scene_.camera_cut = frame_ == 0 || cut_;
-        scene_.frame = frame_++;
-        engine_->renderer().retain({std::string(target)});
-        engine_->renderer().render(scene_, size_);
-        return picture(*engine_->renderer().target(target));
-    }
-    void compare_motion(const char* what, const Assignments& changes, const std::function<void(int)>& move);
-
-    std::unique_ptr<Engine> engine_;
-    RenderScene scene_;
-    uint64_t frame_ = 0;
-    glm::ivec2 size_{320, 180};
-    bool cut_ = false;
 };
 
 double srgb(double linear) {
@@ -156,64 +118,6 @@ TEST_F(MarchTest, LowerResolutionsShiftNothing) {
     }
 }
 
-/// The error of a frame after motion and of one at rest in the same place, against many steps at full resolution.
-void MarchTest::compare_motion(const char* what, const Assignments& changes, const std::function<void(int)>& move) {
-    constexpr int kFrames = 12;
-    const auto last_of = [&](const Assignments& changed, bool still) {
-        load(changed);
-        Image last;
-        for (int i = 0; i < kFrames; ++i) {
-            move(still ? kFrames - 1 : i);
-            cut_ = cut_ && !still;
-            last = frame();
-        }
-        return last;
-    };
-    const Image moving = last_of(changes, false), still = last_of(changes, true);
-    load({{"/render/participating_media/steps", "256"}, {"/render/participating_media/filter", "false"}});
-    move(kFrames - 1);
-    const Image truth = frame();
-    const double error = compare_linear(truth, moving).relative_mse,
-                 at_rest = compare_linear(truth, still).relative_mse;
-    std::printf("%s: relMSE moving %.6f, at rest %.6f\n", what, error, at_rest);
-    EXPECT_LE(error, 2.0 * at_rest);
-    EXPECT_LT(at_rest, 0.002);
-}
-
-TEST_F(MarchTest, MotionLeavesNoTrail) {
-    size_ = {160, 90};
-    for (const char* resolution : {"full", "half"}) {
-        const Assignments changes{{"/render/participating_media/resolution", quoted(resolution)},
-                                  {"/render/participating_media/steps", "12"},
-                                  {"/render/participating_media/temporal", "true"}};
-        const std::string mode = resolution;
-        compare_motion((mode + ", light").c_str(), changes, [this](int i) {
-            scene_.lights[0].transform[3] = glm::vec4(-1.5f + 0.2f * float(i), 6.5f, -1.0f, 1.0f);
-        });
-        compare_motion((mode + ", flicker").c_str(), changes,
-                       [this](int i) { scene_.lights[0].intensity = glm::vec3(i % 2 == 0 ? 400.0f : 100.0f); });
-        compare_motion((mode + ", camera").c_str(), changes, [this](int i) {
-            scene_.camera.transform = test::looking({-1.2f + 0.2f * float(i), 2.6f, 8.0f}, {0, 2.6f, -1});
-        });
-        compare_motion((mode + ", turning camera").c_str(), changes, [this](int i) {
-            scene_.camera.transform = test::looking({0, 2.6f, 8.0f}, {-2.0f + 0.4f * float(i), 2.6f, -1});
-        });
-        compare_motion((mode + ", cut").c_str(), changes, [this](int i) {
-            const bool last = i == 11;
-            scene_.camera.transform = test::looking({last ? 3.0f : 0.0f, 2.6f, 8.0f}, {0, 2.6f, -1});
-            cut_ = last;
-        });
-    }
-}
-
-TEST_F(MarchTest, WithoutHistoryFramesAreTheSame) {
-    size_ = {160, 90};
-    load({{"/render/participating_media/resolution", "\"half\""}});
-    const Image first = frame();
-    (void)frame();
-    EXPECT_EQ(compare_linear(first, frame()).max_difference, 0.0);
-}
-
 TEST_F(MarchTest, RaysEndInThickFogWhereNothingIsSeen) {
     const auto thick = [](const char* least, const char* steps) {
         return Assignments{
@@ -238,6 +142,27 @@ TEST_F(MarchTest, RaysEndInThickFogWhereNothingIsSeen) {
     EXPECT_LT(lost.relative_mse, 1e-6);
     EXPECT_NEAR(lost.mean_ratio, 1.0, 0.001);
     EXPECT_LT(with.relative_mse, 0.7 * without.relative_mse);
+}
+
+/// Light of several sources, some of them without a place: a lamp, the sky, the fog's own glow.
+TEST_F(MarchTest, LowerResolutionsKeepTheGlow) {
+    const auto glowing = [](const char* resolution) {
+        return Assignments{
+            {"/entities/Small plate", R"({ "name": "Small plate", "sky": { "radiance_cd_m2": [0.02, 0.03, 0.05] } })"},
+            {"/entities/Fog/medium/emission_cd_m2_per_m", "[0.01, 0.005, 0]"},
+            {"/render/participating_media/steps", "24"},
+            {"/render/participating_media/resolution", quoted(resolution)}};
+    };
+    size_ = {160, 90};
+    load(glowing("full"));
+    const Image truth = frame();
+    for (const char* resolution : {"half", "quarter"}) {
+        load(glowing(resolution));
+        const LinearDifference difference = compare_linear(truth, frame());
+        std::printf("%s: relMSE %.6f, mean ratio %.4f\n", resolution, difference.relative_mse, difference.mean_ratio);
+        EXPECT_LT(difference.relative_mse, 0.002);
+        EXPECT_NEAR(difference.mean_ratio, 1.0, 0.005);
+    }
 }
 
 TEST_F(MarchTest, WhatIsSkippedIsDark) {
