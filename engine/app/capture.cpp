@@ -81,7 +81,7 @@ CapturedPicture take(Engine& engine, const Shot& shot) {
     const glm::ivec2 size = shot.size * shot.supersample;
     for (int i = 0; i < shot.frames; ++i) engine.frame(i == 0 ? 0.0 : shot.step_s, size);
     CapturedPicture picture;
-    const gpu::Texture* radiance = engine.renderer().target("radiance");
+    const gpu::Texture* radiance = engine.renderer().target(shot.target.empty() ? "radiance" : shot.target);
     const gpu::Texture* display = engine.renderer().target("display");
     if (!radiance || !display) throw Error("no picture was rendered: " + engine.problems());
     picture.radiance = box_downsample(read_back(*radiance), shot.supersample);

@@ -33,9 +33,16 @@ std::string first_bytes(const std::filesystem::path& file) {
     return bytes;
 }
 
-Volume read(const std::filesystem::path& file, std::string_view grid, std::vector<std::filesystem::path>& sources) {
+Volume read_moving_vdb(const std::filesystem::path& file, const GridChoice& grid) {
+    Volume volume = load_vdb(file, grid.name.empty() ? kDefaultGrid : grid.name);
+    if (grid.velocity.empty() || grid.shutter_s == 0.0f) return volume;
+    return blurred_by_motion(volume, load_vdb_vectors(file, grid.velocity, volume), grid.shutter_s);
+}
+
+Volume read(const std::filesystem::path& file, const GridChoice& grid, std::vector<std::filesystem::path>& sources) {
     const std::string head = first_bytes(file);
-    if (head.starts_with(kVdbMark)) return load_vdb(file, grid.empty() ? kDefaultGrid : grid);
+    if (head.starts_with(kVdbMark)) return read_moving_vdb(file, grid);
+    if (!grid.velocity.empty()) fail(file, "a raw volume has no grid of velocities", "an OpenVDB file");
     const size_t start = head.find_first_not_of(" \t\r\n");
     if (start != std::string::npos && head[start] == '{') return load_raw_volume(file, paths::read_file(file), sources);
     fail(file, head.empty() ? "the file is empty" : "not a volume of a known kind", std::string(kKnownKinds));
@@ -50,7 +57,7 @@ void check_volume_size(const std::filesystem::path& file, int64_t x, int64_t y, 
          fmt::format("at least one, and at most {} in all", kMaxVoxels));
 }
 
-Volume load_volume(const std::filesystem::path& file, std::string_view grid,
+Volume load_volume(const std::filesystem::path& file, const GridChoice& grid,
                    std::vector<std::filesystem::path>* sources) {
     std::vector<std::filesystem::path> unused;
     try {

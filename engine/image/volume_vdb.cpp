@@ -1,6 +1,7 @@
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>
+#include <openvdb/tools/Interpolation.h>
 
 #include <algorithm>
 #include <cstring>
@@ -36,12 +37,14 @@ struct VdbFile {
         throw Error(Diagnostic{{path.string()}, std::move(message), std::move(expected), std::move(suggestion)});
     }
 
-    [[nodiscard]] openvdb::FloatGrid::Ptr grid(const std::string& name) const {
+    /// `kind` says what a Grid is, for people.
+    template <class Grid>
+    [[nodiscard]] typename Grid::Ptr grid(const std::string& name, const char* kind) const {
         const auto found = std::ranges::find_if(*grids, [&](const auto& grid) { return grid->getName() == name; });
         if (found == grids->end()) fail_missing(name);
         const openvdb::GridBase::Ptr& base = *found;
-        auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(base);
-        if (!grid) fail("the grid '" + name + "' is of type " + base->type(), "a grid of floats");
+        auto grid = openvdb::gridPtrCast<Grid>(base);
+        if (!grid) fail("the grid '" + name + "' is of type " + base->type(), kind);
         if (grid->getGridClass() == openvdb::GRID_LEVEL_SET)
             fail("the grid '" + name + "' is a level set: it holds distances", "a fog volume, which holds densities");
         if (!grid->transform().isLinear())
@@ -76,7 +79,7 @@ glm::vec3 low_corner(const openvdb::math::Transform& transform, const openvdb::C
 
 std::string read_grid(const std::filesystem::path& path, const std::string& name) {
     const VdbFile file(path);
-    const openvdb::FloatGrid::Ptr grid = file.grid(name);
+    const openvdb::FloatGrid::Ptr grid = file.grid<openvdb::FloatGrid>(name, "a grid of floats");
     const openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
     if (box.empty()) file.fail("the grid '" + name + "' is empty");
     const auto extent = [&](size_t axis) { return int64_t{box.max()[axis]} - int64_t{box.min()[axis]} + 1; };
@@ -95,7 +98,34 @@ std::string read_grid(const std::filesystem::path& path, const std::string& name
     return bytes;
 }
 
+std::string read_vectors(const std::filesystem::path& path, const std::string& name, const Volume& like) {
+    const VdbFile file(path);
+    const auto grid = file.grid<openvdb::Vec3SGrid>(name, "a grid of vectors of three floats");
+    std::string bytes(like.values.size() * sizeof(glm::vec3), '\0');
+    auto* to = reinterpret_cast<float*>(bytes.data());
+    const openvdb::tools::GridSampler<openvdb::Vec3SGrid::ConstAccessor, openvdb::tools::BoxSampler> sampler(
+        grid->getConstAccessor(), grid->transform());
+    for (int z = 0; z < like.size.z; ++z)
+        for (int y = 0; y < like.size.y; ++y)
+            for (int x = 0; x < like.size.x; ++x) {
+                const glm::dvec3 place =
+                    glm::dvec3(like.low_m) + (glm::dvec3(x, y, z) + 0.5) * glm::dvec3(like.voxel_m);
+                const openvdb::Vec3s vector = sampler.wsSample({place.x, place.y, place.z});
+                *to++ = vector.x(), *to++ = vector.y(), *to++ = vector.z();
+            }
+    return bytes;
+}
+
 }  // namespace
+
+std::vector<glm::vec3> load_vdb_vectors(const std::filesystem::path& path, std::string_view name, const Volume& like) {
+    const std::string bytes = run_isolated(path, [&] { return read_vectors(path, std::string(name), like); });
+    std::vector<glm::vec3> vectors(like.values.size());
+    if (bytes.size() != vectors.size() * sizeof(glm::vec3))
+        throw Error(Diagnostic{{path.string()}, "reading it gave nothing", {}, {}});
+    std::memcpy(vectors.data(), bytes.data(), bytes.size());
+    return vectors;
+}
 
 Volume load_vdb(const std::filesystem::path& path, std::string_view name) {
     const std::string bytes = run_isolated(path, [&] { return read_grid(path, std::string(name)); });

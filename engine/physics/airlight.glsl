@@ -55,4 +55,11 @@ FN float airlight_point(float intensity, float beta, float to_light, float cos_g
     return a0 * airlight_integral(a1, 0.5f * gamma, end);
 }
 
+/// The same into a ray without end, times sin gamma, D / (sigma_s I): what a surface's integral over directions around the
+/// light needs (Sun et al. 2005, 5.2). `depth` = optical distance to the light, `gamma` = angle to it in 0..pi.
+FN float airlight_around(float depth, float gamma) {
+    float u = max(depth * sin(gamma), 1e-9f);
+    return exp(-depth * cos(gamma)) * airlight_integral(u, 0.5f * gamma, 0.5f * kPi) / kTwoPi;
+}
+
 #endif

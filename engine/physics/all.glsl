@@ -1,6 +1,7 @@
 /// Everything in this folder; physics.h and the tests include it.
 #include "physics/airlight.glsl"
 #include "physics/black_body.glsl"
+#include "physics/bssrdf.glsl"
 #include "physics/constants.glsl"
 #include "physics/fresnel.glsl"
 #include "physics/ggx.glsl"

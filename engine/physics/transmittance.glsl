@@ -50,6 +50,10 @@ FN vec3 sigma_t_from_color(vec3 color, float metres) {
     return -log(clamp(color, vec3(1e-6f), vec3(1.0f))) / max(metres, 1e-6f);
 }
 
+/// Density of height fog at height `y`, metres: 1 at the base, falling by e every scale height. Far below the base it
+/// ends at e^60, so that what is multiplied with it stays finite.
+FN float height_density(float y, float base, float scale_height) { return exp(min((base - y) / scale_height, 60.0f)); }
+
 /// Optical depth of height fog (Wenzel 2006): extinction `sigma_t` at height `base`, falling by e every `scale_height`
 /// metres, along a segment of length `ds` from height `y_from` to height `y_to`, all in metres. Level segments,
 /// steep ones and both directions are one formula; relative error below 1e-5 while the heights fit 32 bits.
@@ -57,7 +61,7 @@ FN float height_fog_optical_depth(float sigma_t, float base, float scale_height,
                                   float ds) {
     float lowest = min(y_from, y_to);
     float drop = abs(y_to - y_from) / scale_height;
-    return sigma_t * ds * exp((base - lowest) / scale_height) * mean_transmittance(drop);
+    return sigma_t * ds * height_density(lowest, base, scale_height) * mean_transmittance(drop);
 }
 
 /// The error function (Abramowitz & Stegun 1964, 7.1.26), absolute error below 5e-7 in 32 bits.

@@ -61,7 +61,8 @@ void MediaPass::declare(PassDeclaration& declaration) {
 }
 
 void MediaPass::execute(PassContext& context) {
-    static const gpu::ProgramDesc kDesc{.name = "media", .fragment = "render/shaders/media.frag"};
+    static const gpu::ProgramDesc kDesc{
+        .name = "media", .fragment = "render/shaders/media.frag", .defines = {"MEDIA_SEGMENT_OF_SURFACE"}};
     context.bind_targets();
     const gpu::Program& program = use(kDesc, context);
     program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});

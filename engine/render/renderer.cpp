@@ -125,6 +125,7 @@ void Renderer::Implementation::rebuild() {
     view.set_target(shown);
     std::vector<std::string> kept = retained;
     kept.insert(kept.end(), {"radiance", "display"});
+    if (!shown.empty()) kept.push_back(shown);
     graph.retain(std::move(kept));
     graph_problem.clear();
     std::vector<Pass*> passes = engine_passes();

@@ -5,14 +5,14 @@
 /// providers and combines them; programs include that text, are rebuilt when providers change, and ask for the
 /// providers' data to be bound.
 ///
-/// | seam                | text                            | function that programs call |
-/// |---------------------|---------------------------------|--------------------------------------------------------------------------|
-/// | shading_model       | seams/shading_model.glsl        | LightTerms shade(uint model, ShadingPoint s, LightSample
-/// l)              | | light_transmittance | seams/light_transmittance.glsl  | vec3 light_transmittance(uint light,
-/// vec3 p, vec3 n): product, 1 without | | indirect_light      | seams/indirect_light.glsl       | IndirectLight
-/// indirect_light(vec3 p, vec3 n, vec3 v, float roughness): sum | | media_segment       | seams/media_segment.glsl |
-/// MediaSegment media_segment(vec2 uv, vec3 p): front to back               | | sky                 | seams/sky.glsl |
-/// vec3 sky_radiance(vec3 direction): the last registered, black without    |
+/// Each text "seams/NAME.glsl" declares one function that programs call:
+///  - shading_model: LightTerms shade(uint model, ShadingPoint s, LightSample l)
+///  - light_transmittance: vec3 light_transmittance(uint light, vec3 p, vec3 n): a product, 1 without providers
+///  - indirect_light: IndirectLight indirect_light(vec3 p, vec3 n, vec3 v, float roughness): a sum
+///  - media_segment: MediaSegment media_segment(vec2 uv, vec3 p): front to back. A program that only asks for the
+///  surface
+///    that is seen at uv may define MEDIA_SEGMENT_OF_SURFACE: providers can leave out the rest.
+///  - sky: vec3 sky_radiance(vec3 direction): the last registered, black without
 ///
 /// Provider functions have the same parameters and are called NAME_FUNCTION as given in `function`.
 

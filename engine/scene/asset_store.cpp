@@ -34,11 +34,10 @@ struct AssetStore::Implementation {
         });
     }
 
-    Cache<VolumeAsset>& volumes_of(std::string_view grid) {
+    Cache<VolumeAsset>& volumes_of(const GridChoice& grid) {
         const auto found = volumes.find(grid);
         if (found != volumes.end()) return found->second;
-        const auto load = [grid = std::string(grid)](const fs::path& file, std::string_view name,
-                                                     std::vector<fs::path>& sources) {
+        const auto load = [grid](const fs::path& file, std::string_view name, std::vector<fs::path>& sources) {
             return VolumeAsset{
                 .id = new_asset_id(), .name = std::string(name), .volume = load_volume(file, grid, &sources)};
         };
@@ -102,7 +101,7 @@ struct AssetStore::Implementation {
     Cache<GltfAsset> gltfs{[this](const fs::path& file, std::string_view name, std::vector<fs::path>& sources) {
         return import_gltf(file, name, config, sources);
     }};
-    std::map<std::string, Cache<VolumeAsset>, std::less<>> volumes;  ///< one for each name of a grid
+    std::map<GridChoice, Cache<VolumeAsset>> volumes;
     Cache<PhaseTable> phase_tables{
         [](const fs::path& file, std::string_view name, auto&) { return load_phase_table(file, name); }};
     Cache<ParticleAsset> particle_sets{[](const fs::path& file, std::string_view name, auto&) {
@@ -141,8 +140,10 @@ std::shared_ptr<const GltfAsset> AssetStore::gltf(std::string_view name) {
     return self_->get(self_->gltfs, name);
 }
 
-std::shared_ptr<const VolumeAsset> AssetStore::volume(std::string_view name, std::string_view grid) {
-    return self_->get(self_->volumes_of(grid.empty() ? kDefaultGrid : grid), name);
+std::shared_ptr<const VolumeAsset> AssetStore::volume(std::string_view name, const GridChoice& grid) {
+    GridChoice named = grid;
+    if (named.name.empty()) named.name = kDefaultGrid;
+    return self_->get(self_->volumes_of(named), name);
 }
 
 std::shared_ptr<const PhaseTable> AssetStore::phase_table(std::string_view name) {

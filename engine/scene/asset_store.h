@@ -55,7 +55,7 @@ class AssetStore {
     [[nodiscard]] std::shared_ptr<const TextureAsset> texture(std::string_view name, TextureUse use);
     [[nodiscard]] std::shared_ptr<const GltfAsset> gltf(std::string_view name);
     /// `grid` of an OpenVDB file; empty for kDefaultGrid, and for files without grids (image/volume.h).
-    [[nodiscard]] std::shared_ptr<const VolumeAsset> volume(std::string_view name, std::string_view grid);
+    [[nodiscard]] std::shared_ptr<const VolumeAsset> volume(std::string_view name, const GridChoice& grid);
     /// A phase function's table (scene/phase_table.h).
     [[nodiscard]] std::shared_ptr<const PhaseTable> phase_table(std::string_view name);
 

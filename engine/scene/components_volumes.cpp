@@ -41,10 +41,18 @@ glm::mat4 to_volume(const Bounds& part, const Volume& volume) {
     return map;
 }
 
+/// A grid of the file, moving as the scene says.
+GridChoice moving(const VolumeDensity& from, const std::string& grid) {
+    GridChoice choice(grid);
+    if (from.motion_blur.shutter_s > 0.0f) choice.velocity = from.motion_blur.grid;
+    if (!choice.velocity.empty()) choice.shutter_s = from.motion_blur.shutter_s;
+    return choice;
+}
+
 VolumeSequence sequence_of(const VolumeDensity& from, const std::string& grid) {
     const SequenceChoice& choice = from.sequence;
     if (choice.last < choice.first) throw Error("a sequence's last frame must not be before its first");
-    VolumeSequence sequence{.file = from.file, .grid = grid};
+    VolumeSequence sequence{.file = from.file, .grid = moving(from, grid)};
     sequence.first = choice.first, sequence.last = choice.last, sequence.step = choice.step;
     sequence.frames_per_s = choice.frames_per_s, sequence.start_s = choice.start_s, sequence.playback = choice.playback;
     return sequence;
@@ -57,7 +65,7 @@ bool is_sequence(const VolumeDensity& from) {
 /// The part of the file's space that is shown: what the scene says, or the density's box; of a sequence, in its last
 /// frame, since most things that flow spread. Null while that is on its way.
 std::shared_ptr<const VolumeAsset> shown_volume(const VolumeDensity& from, AssetStore& assets) {
-    if (!is_sequence(from)) return assets.volume(from.file, from.grid);
+    if (!is_sequence(from)) return assets.volume(from.file, moving(from, from.grid));
     const VolumeSequence sequence = sequence_of(from, from.grid);
     VolumeSequence last = sequence;
     last.first = sequence.first + (frame_count(sequence) - 1) * sequence.step;
@@ -77,6 +85,13 @@ void describe(StructBuilder<SequenceChoice>& d) {
     d.field("playback", &S::playback, "After the last comes the first again, or it stays.", {"loop", "hold"});
 }
 
+void describe(StructBuilder<MotionBlur>& d) {
+    d.doc("What moves blurs while the shutter is open.");
+    d.field("grid", &MotionBlur::grid,
+            "Grid of velocities of the OpenVDB file, in its own units a second; empty = still.");
+    d.field("shutter_s", &MotionBlur::shutter_s, "How long the shutter is open.").unit("s").range(0.0, 100.0);
+}
+
 void describe(StructBuilder<VolumeDensity>& d) {
     using V = VolumeDensity;
     d.doc("A grid of voxels from a file, linear between them.");
@@ -91,6 +106,7 @@ void describe(StructBuilder<VolumeDensity>& d) {
         .range(-1e9, 1e9);
     d.field("high_m", &V::high_m, "See low_m.").range(-1e9, 1e9);
     d.field("sequence", &V::sequence, "For a file with # in its name.");
+    d.field("motion_blur", &V::motion_blur, "Blurs the grid along its velocities, for a still as for a sequence.");
 }
 
 GridDensity placed_volume(const VolumeDensity& from, const std::string& grid, AssetStore& assets,
@@ -102,7 +118,7 @@ GridDensity placed_volume(const VolumeDensity& from, const std::string& grid, As
         const VolumeSequence sequence = sequence_of(from, grid);
         volume = assets.sequence_frame(sequence, frame_at(sequence, place.time_s));
     } else {
-        volume = assets.volume(from.file, grid);
+        volume = assets.volume(from.file, moving(from, grid));
     }
     if (!volume) return made;
     Bounds part{from.low_m, from.high_m};

@@ -75,6 +75,10 @@ struct SequenceChoice {
     float start_s = 0.0f;
     Playback playback = Playback::loop;
 };
+struct MotionBlur {
+    std::string grid;
+    float shutter_s = 0.0f;
+};
 struct VolumeDensity {
     std::string file;
     std::string grid;
@@ -82,6 +86,7 @@ struct VolumeDensity {
     VolumeFit fit = VolumeFit::stretch;
     glm::vec3 low_m{0.0f}, high_m{0.0f};
     SequenceChoice sequence;
+    MotionBlur motion_blur;
 };
 struct LinearGradient {
     glm::vec3 from{0.0f, -0.5f, 0.0f}, to{0.0f, 0.5f, 0.0f};
@@ -99,6 +104,7 @@ void describe(StructBuilder<BlobDensity::Blob>& d);
 void describe(StructBuilder<BlobDensity>& d);
 void describe(StructBuilder<NoiseDensity>& d);
 void describe(StructBuilder<SequenceChoice>& d);
+void describe(StructBuilder<MotionBlur>& d);
 void describe(StructBuilder<VolumeDensity>& d);
 void describe(StructBuilder<LinearGradient>& d);
 void describe(StructBuilder<RadialGradient>& d);

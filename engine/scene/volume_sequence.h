@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "image/volume.h"
+
 namespace tyndall {
 
 enum class Playback { loop, hold };
@@ -12,7 +14,7 @@ enum class Playback { loop, hold };
 /// Files `first`, `first + step`, ... up to `last`, shown one after the other.
 struct VolumeSequence {
     std::string file;  ///< the last run of # stands for the number, padded with zeros to as many digits
-    std::string grid;
+    GridChoice grid;
     int first = 1, last = 1, step = 1;
     float frames_per_s = 24.0f;  ///< of the files
     float start_s = 0.0f;        ///< scene time at which the first is shown

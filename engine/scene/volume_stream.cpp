@@ -37,7 +37,7 @@ std::string frame_name(const VolumeSequence& sequence, int index) {
 namespace {
 
 std::string key_of(const VolumeSequence& sequence) {
-    return sequence.file + '\n' + sequence.grid + '\n' + std::to_string(sequence.first) + '\n' +
+    return sequence.file + '\n' + sequence.grid.name + '\n' + std::to_string(sequence.first) + '\n' +
            std::to_string(sequence.last);
 }
 

@@ -21,7 +21,8 @@ namespace tyndall {
 
 /// One file of a sequence as a scene names it.
 struct VolumeFrame {
-    std::string name, grid;
+    std::string name;
+    GridChoice grid;
     auto operator<=>(const VolumeFrame&) const = default;
 };
 

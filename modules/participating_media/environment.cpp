@@ -114,6 +114,7 @@ void EnvironmentLight::weigh_directions() {
 
 void EnvironmentLight::bind(const gpu::Program& program) const {
     for (size_t i = 0; i < 9; ++i) program.set(fmt::format("environment_harmonics[{}]", i), harmonics_.c[i]);
+    program.set("environment_count", static_cast<int>(directions_.size()));
     for (size_t i = 0; i < directions_.size(); ++i) {
         program.set(fmt::format("environment_directions[{}]", i), directions_[i]);
         program.set(fmt::format("environment_weights[{}]", i), weights_[i]);

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/log.h"
+#include "render/frame.h"
 
 namespace tyndall::participating_media {
 namespace {
@@ -139,10 +140,10 @@ glm::vec4 MediaBuffer::grid_size(const GridDensity& grid) const {
     return grid.volume ? textures_.place(*grid.volume) : glm::vec4(0.0f);
 }
 
-const std::vector<Medium>& MediaBuffer::update(const RenderScene& scene, bool enabled) {
+const std::vector<Medium>& MediaBuffer::update(const RenderScene& scene, const MediaSettings& settings) {
     std::vector<const Medium*> shown;
     for (const Medium& medium : scene.media) {
-        if (!enabled || glm::determinant(glm::mat3(medium_box(medium, scene))) == 0.0f) continue;
+        if (!settings.enabled || glm::determinant(glm::mat3(medium_box(medium, scene))) == 0.0f) continue;
         if (shown.size() == kMaximumMedia) {
             warn_once(fmt::format("all media after the first {}", kMaximumMedia));
             break;
@@ -154,7 +155,7 @@ const std::vector<Medium>& MediaBuffer::update(const RenderScene& scene, bool en
     media_.clear();
     even_ = true;
     for (const Medium* medium : shown) add(blocks, *medium, medium_box(*medium, scene), scene.time_s);
-    plan_.update(scene, media_);
+    plan_.update(scene, media_, settings);
     if (!media_.empty() && has_environment(scene)) environment_.update(scene, media_);
     const std::string_view media_bytes(reinterpret_cast<const char*>(blocks.media.data()),
                                        media_.size() * sizeof(GpuMedium));
@@ -177,6 +178,14 @@ void MediaBuffer::bind(const gpu::Program& program, int light_steps) const {
     program.set("media_count", static_cast<int>(media_.size()));
     program.set("media_light_steps", light_steps);
     program.texture("media_grids", textures_.grids(), {.filter = gpu::Filter::linear});
+}
+
+void UploadPass::declare(PassDeclaration& declaration) {
+    declaration.stage(Stage::shadow).keep();
+}
+
+void UploadPass::execute(PassContext& context) {
+    media_->update(context.frame().scene, settings_);
 }
 
 }  // namespace tyndall::participating_media

@@ -2,6 +2,7 @@
 /// The frame's media on the GPU and who renders them, shared by the solvers and the two seam providers.
 
 #include <glm/mat4x4.hpp>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -9,7 +10,9 @@
 
 #include "environment.h"
 #include "gpu/gpu.h"
+#include "media_settings.h"
 #include "media_textures.h"
+#include "render/frame_graph.h"
 #include "scene/render_scene.h"
 #include "solver_plan.h"
 
@@ -26,7 +29,7 @@ inline constexpr float kFarthest = 1e4f;
 class MediaBuffer {
  public:
     /// Uploads the scene's media when they changed. Returns those that are rendered.
-    const std::vector<Medium>& update(const RenderScene& scene, bool enabled);
+    const std::vector<Medium>& update(const RenderScene& scene, const MediaSettings& settings);
     [[nodiscard]] const std::vector<Medium>& media() const { return media_; }
     [[nodiscard]] const SolverPlan& plan() const { return plan_; }
     /// Light from all around; up to date when the plan has a term of it.
@@ -37,6 +40,9 @@ class MediaBuffer {
     [[nodiscard]] bool even() const { return even_; }
     /// Sets all that media.glsl declares; `light_steps` are samples through noise and grids.
     void bind(const gpu::Program& program, int light_steps) const;
+    /// Says once for each text what the module leaves out.
+    void warn_once(std::string_view what);
+    [[nodiscard]] const gpu::Texture& grids() const { return textures_.grids(); }
     [[nodiscard]] const gpu::Texture& phase_tables() const { return textures_.phase_tables(); }
 
  private:
@@ -46,9 +52,6 @@ class MediaBuffer {
     void add_density(Blocks& blocks, const DensityField& density, double time_s);
     void add_blobs(Blocks& blocks, const BlobDensity& field);
     [[nodiscard]] glm::vec4 grid_size(const GridDensity& grid) const;
-    /// Says once for each text what the module leaves out.
-    void warn_once(std::string_view what);
-
     gpu::Buffer buffer_, blobs_;
     MediaTextures textures_;
     std::vector<Medium> media_;
@@ -57,6 +60,21 @@ class MediaBuffer {
     bool even_ = true;
     std::string uploaded_;  ///< the buffers' bytes
     std::set<std::string, std::less<>> warned_;
+};
+
+/// Brings the buffer up to date before any pass of the frame looks at media.
+class UploadPass final : public Pass {
+ public:
+    /// `settings` must outlive the pass.
+    UploadPass(std::shared_ptr<MediaBuffer> media, const MediaSettings& settings)
+        : media_(std::move(media)), settings_(settings) {}
+    [[nodiscard]] std::string_view name() const override { return "participating_media.upload"; }
+    void declare(PassDeclaration& declaration) override;
+    void execute(PassContext& context) override;
+
+ private:
+    std::shared_ptr<MediaBuffer> media_;
+    const MediaSettings& settings_;
 };
 
 }  // namespace tyndall::participating_media

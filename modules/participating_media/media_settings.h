@@ -10,6 +10,7 @@ enum class Resolution { full, half, quarter };
 /// The solver analytic.
 struct AnalyticSettings {
     int32_t nodes = 6;
+    bool surface_glow = false;
 };
 
 inline void describe(StructBuilder<AnalyticSettings>& d) {
@@ -17,6 +18,9 @@ inline void describe(StructBuilder<AnalyticSettings>& d) {
     d.field("nodes", &AnalyticSettings::nodes,
             "Places on a ray. The error falls exponentially with their number, the time grows with it.")
         .range(2, 64);
+    d.field("surface_glow", &AnalyticSettings::surface_glow,
+            "Fog around point lights that this solver renders lights surfaces too: light of the second order, which no "
+            "other solver has.");
 }
 
 /// Polygonal light volumes.
@@ -137,6 +141,7 @@ inline void describe(StructBuilder<FroxelSettings>& d) {
 struct MediaSettings {
     static constexpr std::string_view kName = "participating_media";
     bool enabled = true;
+    int32_t auto_marches = 4;
     Resolution resolution = Resolution::full;
     int32_t steps = 12;
     int32_t light_steps = 8;
@@ -155,6 +160,10 @@ struct MediaSettings {
 inline void describe(StructBuilder<MediaSettings>& d) {
     d.doc("Single scattering in media. The march's error falls with the number of steps, its time grows with it.");
     d.field("enabled", &MediaSettings::enabled, "Off: media neither glow nor dim.");
+    d.field("auto_marches", &MediaSettings::auto_marches,
+            "The solver auto marches as long as there are no more pairs of a light and a medium to march than this; "
+            "beyond, the froxels are cheaper.")
+        .range(0, 1 << 20);
     d.field(
         "resolution", &MediaSettings::resolution,
         "Half marches a quarter of the pixels, quarter a sixteenth, and upsamples by depth; silhouettes are marched "

@@ -1,6 +1,7 @@
 // The module: what it registers.
 
 #include "analytic/analytic_pass.h"
+#include "analytic/surface_glow.h"
 #include "epipolar/epipolar_pass.h"
 #include "froxels/froxel_pass.h"
 #include "god_rays/god_rays_pass.h"
@@ -9,6 +10,7 @@
 #include "march/march_pass.h"
 #include "medium_component.h"
 #include "module/module.h"
+#include "segment.h"
 
 namespace tyndall::participating_media {
 
@@ -19,6 +21,7 @@ class ParticipatingMedia final : public Module {
         registrar.component<MediumComponent>(extract_medium);
         const MediaSettings& settings = registrar.settings<MediaSettings>();
         const auto march = std::make_shared<MarchTerms>(media, settings);
+        registrar.pass(std::make_unique<UploadPass>(media, settings));
         registrar.pass(std::make_unique<MarchPass>(media, march, settings));
         registrar.pass(std::make_unique<AccumulatePass>(media, march, settings));
         registrar.pass(std::make_unique<FilterPass>(media, settings));
@@ -29,24 +32,28 @@ class ParticipatingMedia final : public Module {
         registrar.pass(std::make_unique<GodRaysPass>(media, settings));
         const auto froxels = std::make_shared<FroxelVolume>();
         registrar.pass(std::make_unique<FroxelPass>(media, froxels, settings));
-        const auto bind_media = [media, &settings](const gpu::Program& program, PassContext& context) {
-            media->update(context.frame().scene, settings.enabled);
+        const auto bind_media = [media, &settings](const gpu::Program& program, PassContext&) {
             media->bind(program, settings.light_steps);
         };
         registrar.seam(Seam::light_transmittance, {.name = "participating_media",
                                                    .include = "participating_media/transmittance.glsl",
                                                    .function = "participating_media_transmittance",
                                                    .bind = bind_media});
+        registrar.seam(Seam::indirect_light, {.name = "participating_media",
+                                              .include = "participating_media/analytic/surface_glow.glsl",
+                                              .function = "participating_media_surface_glow",
+                                              .bind = [bind_media, media, glow = std::make_shared<SurfaceGlow>(),
+                                                       &settings](const gpu::Program& program, PassContext& context) {
+                                                  bind_media(program, context);
+                                                  glow->bind(program, context.frame().scene, *media, settings);
+                                              }});
         registrar.seam(Seam::media_segment,
                        {.name = "participating_media",
                         .include = "participating_media/segment.glsl",
                         .function = "participating_media_segment",
                         .reads = {"media_in_scatter"},
-                        .bind = [bind_media, froxels](const gpu::Program& program, PassContext& context) {
-                            bind_media(program, context);
-                            froxels->bind(program);
-                            program.texture("media_in_scatter", context.texture("media_in_scatter"),
-                                            {.filter = gpu::Filter::nearest});
+                        .bind = [media, froxels, &settings](const gpu::Program& program, PassContext& context) {
+                            bind_segment(program, context, *media, *froxels, settings);
                         }});
     }
 };

@@ -148,8 +148,6 @@ TEST_F(FroxelsTest, APaneSeesWhatAWallInItsPlaceWouldSee) {
             const LinearDifference difference = compare_linear(frame(), pane);
             std::printf("%s at %.1f m: relMSE %.6f, mean ratio %.4f\n", solver, double(metres), difference.relative_mse,
                         difference.mean_ratio);
-            if (std::string_view(solver) != "\"froxels\"")
-                continue;  // a share of the whole by transmittance is a guess
             EXPECT_LT(difference.relative_mse, 0.015);
             EXPECT_NEAR(difference.mean_ratio, 1.0, 0.02);
         }

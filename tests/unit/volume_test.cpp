@@ -45,7 +45,7 @@ class Volumes : public TemporaryFolder {
     }
     static float ball_value(int x, int y, int z) { return 1.0f - std::sqrt(float(x * x + y * y + z * z)) / 7.0f; }
 
-    static std::string error_of(const fs::path& file, std::string_view grid = {}) {
+    static std::string error_of(const fs::path& file, const GridChoice& grid = {}) {
         try {
             (void)load_volume(file, grid);
         } catch (const Error& error) {
@@ -70,6 +70,39 @@ TEST_F(Volumes, ReadsTheActiveBoxOfAVdbGrid) {
                 ASSERT_EQ(volume.at(x + 6, y + 6, z + 6), x * x + y * y + z * z <= 36 ? ball_value(x, y, z) : 0.0f);
     EXPECT_TRUE(sources.empty()) << "the file itself is no further source";
     EXPECT_EQ(load_volume(file, "temperature").values, volume.values);
+}
+
+TEST_F(Volumes, MotionBlursAlongTheVelocity) {
+    const auto wind = openvdb::Vec3SGrid::create(openvdb::Vec3s(2.0f, 0.0f, 0.0f));  // 2 units a second everywhere
+    wind->setName("wind");
+    wind->setTransform(openvdb::math::Transform::createLinearTransform(0.5));  // its own voxels
+    const auto line = openvdb::FloatGrid::create(0.0f);
+    line->setName("density");
+    line->setTransform(openvdb::math::Transform::createLinearTransform(0.25));
+    line->fill(openvdb::CoordBBox({0, 0, 0}, {40, 2, 2}), 1e-6f, true);
+    line->fill(openvdb::CoordBBox({15, 0, 0}, {24, 2, 2}), 1.0f, true);
+    const fs::path file = write_vdb("moving.vdb", {line, wind});
+    const Volume still = load_volume(file);
+    GridChoice choice("density");
+    choice.velocity = "wind";
+    EXPECT_EQ(load_volume(file, choice).values, still.values) << "a shutter that does not open";
+    choice.shutter_s = 1.0f;  // 8 voxels
+    const Volume blurred = load_volume(file, choice);
+    ASSERT_EQ(blurred.size, still.size);
+    float worst = 0.0f, sum = 0.0f, still_sum = 0.0f;
+    for (int x = 0; x < blurred.size.x; ++x) {
+        // a box of 10 voxels under a shutter of 8: a trapezium, 1 over the middle two
+        const float away = std::abs(float(x) - 19.5f), expected = std::clamp((9.0f - away) / 8.0f, 0.0f, 1.0f);
+        worst = std::max(worst, std::abs(blurred.at(x, 1, 1) - expected));
+        sum += blurred.at(x, 1, 1), still_sum += still.at(x, 1, 1);
+    }
+    std::printf("worst difference from the trapezium %.4f, amount %.5f\n", double(worst), double(sum / still_sum));
+    EXPECT_LT(worst, 0.02f);
+    EXPECT_NEAR(sum / still_sum, 1.0f, 1e-3f);
+    choice.velocity = "wnd";
+    expect_error(error_of(file, choice), {"moving.vdb", "there is no grid 'wnd'", "did you mean 'wind'?"});
+    choice.velocity = "density";
+    expect_error(error_of(file, choice), {"moving.vdb", "'density' is of type", "a grid of vectors"});
 }
 
 TEST_F(Volumes, SaysWhichGridsThereAre) {

@@ -38,7 +38,6 @@ void FroxelPass::declare(PassDeclaration& declaration) {
 
 void FroxelPass::execute(PassContext& context) {
     Frame& frame = context.frame();
-    media_->update(frame.scene, settings_.enabled);
     volume_->active = !terms().empty();
     if (!volume_->active) {
         history_.forget();

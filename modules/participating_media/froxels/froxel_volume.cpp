@@ -43,7 +43,6 @@ void FroxelVolume::bind(const gpu::Program& program) {
         columns = gpu::Texture({.format = kFormat}, "participating_media.froxel_columns");
     }
     bind_grid(program);
-    program.set("media_once", 1);
     program.set("froxels_active", active ? 1 : 0);
     program.texture("froxel_radiance", radiance, {.filter = gpu::Filter::nearest});
     program.texture("froxel_columns", columns, {.filter = gpu::Filter::nearest});

@@ -17,7 +17,7 @@ struct FroxelVolume {
 
     /// Makes the textures for the grid's size; true when they are new. `history` = both sources are needed.
     bool make(bool history);
-    /// Sets what shaders/froxels/read.glsl declares, and what shaders/segment.glsl asks for beside it.
+    /// Sets what shaders/froxels/read.glsl declares, and whether there are froxels.
     void bind(const gpu::Program& program);
     /// Sets what shaders/froxels/grid.glsl declares.
     void bind_grid(const gpu::Program& program) const;

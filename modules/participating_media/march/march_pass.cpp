@@ -43,7 +43,6 @@ void MarchPass::declare(PassDeclaration& declaration) {
 }
 
 void MarchPass::execute(PassContext& context) {
-    media_->update(context.frame().scene, settings_.enabled);
     if (!media_->plan().uses(Solver::ray_marched)) return;
     context.bind_targets();
     constexpr std::array<float, 4> kNothing{};

@@ -8,6 +8,7 @@
 uniform vec4 environment_harmonics[9];
 uniform mat3 environment_image_from_world;
 uniform vec3 environment_bands[16];       // a medium each
+uniform int environment_count;            // of the directions: not a constant, or compilers unroll all media into each
 uniform vec4 environment_directions[14];  // xyz in the world
 uniform vec3 environment_weights[14];
 uniform int environment_boxes;            // light probes with a box: in there it is not seen
@@ -29,7 +30,7 @@ float environment_share(vec3 p) {
 
 vec3 environment_transmittance(vec3 p) {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < 14; ++i)
+    for (int i = 0; i < environment_count; ++i)
         sum += environment_weights[i] * media_transmittance(p, environment_directions[i].xyz, 0.0, kEnvironmentFar);
     return sum;
 }

@@ -105,7 +105,7 @@ float closed_density(int i, vec3 p) {
         density += blob_weight[b].x * exp(-0.5 * dot(away, away) / (radius * radius));
     }
     for (int k = 0; k < (media[i].blobs_height.w > 0.0 ? 1 : 0); ++k)
-        density += exp((media[i].blobs_height.z - p.y) * media[i].blobs_height.w);
+        density += height_density(p.y, media[i].blobs_height.z, 1.0 / media[i].blobs_height.w);
     return density;
 }
 
@@ -115,7 +115,7 @@ float density_share(int i, vec3 p) {
     for (int k = 0; k < int(min(media[i].mask_size.x, 1.0)); ++k)
         share *= grid_value((media[i].mask_from_world * vec4(p, 1.0)).xyz, media[i].mask_size);
     for (int k = 0; k < (media[i].shape.w > 0.0 ? 1 : 0); ++k)
-        share *= exp((media[i].shape.z - p.y) * media[i].shape.w);
+        share *= height_density(p.y, media[i].shape.z, 1.0 / media[i].shape.w);
     return share;
 }
 

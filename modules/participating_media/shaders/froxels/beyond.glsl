@@ -1,6 +1,6 @@
 // What lies behind the froxels' grid: a few pieces a pixel, in each of which the integral has a closed form.
 #include "participating_media/froxels/grid.glsl"
-#include "participating_media/froxels/scattering.glsl"
+#include "participating_media/scattering.glsl"
 
 uniform sampler2D scene_depth;
 uniform uint beyond_media;  // a bit each

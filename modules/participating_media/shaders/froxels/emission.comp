@@ -1,6 +1,6 @@
 // Adds what the froxels' media give off themselves.
 #include "participating_media/froxels/sample.glsl"
-#include "participating_media/froxels/scattering.glsl"
+#include "participating_media/scattering.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -3,7 +3,7 @@
 // A thread follows a ray through its slices: what depends on the ray alone is found once, and where the ray is outside of the
 // light's volume nothing is looked at.
 #include "participating_media/froxels/sample.glsl"
-#include "participating_media/froxels/scattering.glsl"
+#include "participating_media/scattering.glsl"
 #include "render/shaders/lights.glsl"
 #include "seams/light_transmittance.glsl"
 

@@ -1,4 +1,4 @@
-// What the froxels' media scatter to the eye at a place.
+// Which way media scatter, and whether they are at a place, for programs that look at several.
 #include "participating_media/media.glsl"
 
 #ifdef PHASE_KIND

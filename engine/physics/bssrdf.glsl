@@ -1,0 +1,165 @@
+#ifndef TYNDALL_PHYSICS_BSSRDF
+#define TYNDALL_PHYSICS_BSSRDF
+#include "physics/constants.glsl"
+#include "physics/fresnel.glsl"
+/// Light that enters a translucent solid at one place and leaves it at another, by models of diffusion.
+///
+/// Each model gives the radiant exitance at a place per flux that has entered at another, 1/m2: the light that has passed
+/// the boundary inward (1 - F) is left to the caller, the boundary outward is in it. It leaves as
+/// exitance * (1 - F(cosine, eta)) / (pi * diffuse_transmission(1 / eta)) in radiance. Lengths in metres.
+
+/// Moments of the Fresnel reflectance, 2 C1 and 3 C2 (d'Eon & Irving 2011); `eta` = n_here / n_beyond of the side that the
+/// light is on: for light inside a solid its own index.
+FN float fresnel_moment_2c1(float eta) {
+    if (eta < 1.0f)
+        return 0.919317f + eta * (-3.4793f + eta * (6.75335f + eta * (-7.80989f + eta * (4.98554f - eta * 1.36881f))));
+    return -9.23372f + eta * (22.2272f + eta * (-20.9292f + eta * (10.2291f + eta * (-2.54396f + eta * 0.254913f))));
+}
+FN float fresnel_moment_3c2(float eta) {
+    if (eta < 1.0f)
+        return 0.828421f + eta * (-2.62051f + eta * (3.36231f + eta * (-1.95284f + eta * (0.236494f + eta * 0.145787f))));
+    float inverse = 1.0f / eta;
+    return -1641.1f + inverse * (1376.53f + inverse * (-656.175f + inverse * 135.926f)) +
+           eta * (1213.67f + eta * (-568.556f + eta * (164.798f + eta * (-27.0181f + eta * 1.91826f))));
+}
+/// Share of diffuse light that passes a boundary, 1 - 2 C1.
+FN float diffuse_transmission(float eta) { return 1.0f - fresnel_moment_2c1(eta); }
+
+/// A solid as diffusion sees it, a channel each.
+struct Diffusion {
+    vec3 sigma_t;          ///< 1/m, not reduced
+    vec3 sigma_t_reduced;  ///< 1/m: sigma_a + sigma_s (1 - g)
+    vec3 albedo_reduced;   ///< sigma_s (1 - g) / sigma_t_reduced
+    vec3 coefficient;      ///< D of classical diffusion, m
+    vec3 sigma_tr;         ///< 1/m, with that
+    float eta;             ///< index of refraction against the outside
+    float c_phi;           ///< (1 - 2 C1) / 4
+    float c_e;             ///< (1 - 3 C2) / 2
+};
+
+FN Diffusion make_diffusion(vec3 sigma_s, vec3 sigma_a, float g, float eta) {
+    Diffusion m;
+    vec3 sigma_s_reduced = sigma_s * (1.0f - g);
+    m.sigma_t = max(sigma_s + sigma_a, vec3(1e-6f));
+    m.sigma_t_reduced = max(sigma_s_reduced + sigma_a, vec3(1e-6f));
+    m.albedo_reduced = sigma_s_reduced / m.sigma_t_reduced;
+    m.coefficient = vec3(1.0f / 3.0f) / m.sigma_t_reduced;
+    m.sigma_tr = sqrt(3.0f * sigma_a * m.sigma_t_reduced);
+    m.eta = eta;
+    m.c_phi = 0.25f * (1.0f - fresnel_moment_2c1(eta));
+    m.c_e = 0.5f * (1.0f - fresnel_moment_3c2(eta));
+    return m;
+}
+
+/// Flux through a plane from a source `depth` metres from it at a distance `d`, over the source's power.
+FN vec3 dipole_flux(vec3 sigma_tr, vec3 depth, vec3 d) {
+    return depth * (vec3(1.0f) + sigma_tr * d) * exp(-sigma_tr * d) / (4.0f * kPi * d * d * d);
+}
+
+/// Jensen et al. 2001 at `r` metres: the standard dipole.
+FN vec3 standard_dipole(Diffusion m, float r) {
+    float f = fresnel_diffuse_reflectance(m.eta);
+    vec3 z_real = vec3(1.0f) / m.sigma_t_reduced;
+    vec3 z_mirrored = z_real + 4.0f * ((1.0f + f) / (1.0f - f)) * m.coefficient;
+    return m.albedo_reduced * (dipole_flux(m.sigma_tr, z_real, sqrt(z_real * z_real + r * r)) +
+                               dipole_flux(m.sigma_tr, z_mirrored, sqrt(z_mirrored * z_mirrored + r * r)));
+}
+
+/// Grosjean's diffusion (d'Eon & Irving 2011): coefficient, transport coefficient, and the mirrored source's depth for a
+/// real one at `z_real`.
+FN vec3 grosjean_coefficient(Diffusion m) {
+    return (vec3(2.0f) - m.albedo_reduced) / (3.0f * m.sigma_t_reduced);
+}
+FN vec3 grosjean_sigma_tr(Diffusion m) {
+    return sqrt((vec3(1.0f) - m.albedo_reduced) * m.sigma_t_reduced / grosjean_coefficient(m));
+}
+FN vec3 grosjean_mirrored(Diffusion m, vec3 z_real) {
+    return z_real + 4.0f * ((1.0f - m.c_e) / (2.0f * m.c_phi)) * grosjean_coefficient(m);
+}
+
+/// Exitance of a real source at `z_real` metres and its mirror image, both of power 1.
+FN vec3 grosjean_dipole(Diffusion m, vec3 z_real, float r) {
+    vec3 d = grosjean_coefficient(m);
+    vec3 sigma_tr = grosjean_sigma_tr(m);
+    vec3 z_mirrored = grosjean_mirrored(m, z_real);
+    vec3 d_real = sqrt(z_real * z_real + r * r);
+    vec3 d_mirrored = sqrt(z_mirrored * z_mirrored + r * r);
+    vec3 fluence = (exp(-sigma_tr * d_real) / d_real - exp(-sigma_tr * d_mirrored) / d_mirrored) / (4.0f * kPi * d);
+    return m.c_phi * fluence +
+           m.c_e * (dipole_flux(sigma_tr, z_real, d_real) + dipole_flux(sigma_tr, z_mirrored, d_mirrored));
+}
+
+/// d'Eon 2012, "A Better Dipole".
+FN vec3 better_dipole(Diffusion m, float r) {
+    return m.albedo_reduced * m.albedo_reduced * grosjean_dipole(m, vec3(1.0f) / m.sigma_t_reduced, r);
+}
+
+/// Habel, Christensen & Jarosz 2013, photon beam diffusion for light along the normal: the multiple scattering of a beam,
+/// `count` sources along it.
+FN vec3 photon_beam_diffusion(Diffusion m, float r, int count) {
+    vec3 sum = vec3(0.0f);
+    for (int i = 0; i < count; ++i) {
+        vec3 z = -log(1.0f - (float(i) + 0.5f) / float(count)) / m.sigma_t_reduced;
+        vec3 near = vec3(1.0f) - exp(-2.0f * m.sigma_t_reduced * (sqrt(z * z + r * r) + z));
+        sum += near * grosjean_dipole(m, z, r);
+    }
+    return m.albedo_reduced * m.albedo_reduced * sum / float(count);
+}
+
+/// Christensen & Burley 2015, normalised diffusion: what leaves a half-space of diffuse albedo `albedo` and mean free path
+/// `mean_free_path` in all is that albedo. Singular at r = 0: r below 1e-9 counts as that.
+FN vec3 normalised_diffusion(vec3 albedo, vec3 mean_free_path, float r) {
+    vec3 s = vec3(1.9f) - albedo + 3.5f * (albedo - 0.8f) * (albedo - 0.8f);
+    vec3 d = mean_free_path / s;
+    r = max(r, 1e-9f);
+    return albedo * (exp(-r / d) + exp(-r / (3.0f * d))) / (8.0f * kPi * r * d);
+}
+
+/// Frisvad, Hachisuka & Kjeldsen 2014: one source of the directional dipole. `x` leads from it to where the light leaves,
+/// `w` is the way it sends light, `r` the distance (the model's own for the real one).
+FN vec3 directional_source(Diffusion m, vec3 x, vec3 w, vec3 normal, vec3 r, int channel) {
+    float sigma_tr = m.sigma_tr[channel];
+    float d = m.coefficient[channel];
+    float distance = r[channel];
+    float s = sigma_tr * distance;
+    float xw = dot(x, w);
+    float xn = dot(x, normal);
+    float fluence = distance * distance / d + 3.0f * (1.0f + s) * xw;
+    float slope = 3.0f * d * (1.0f + s) * dot(w, normal) -
+                  ((1.0f + s) + 3.0f * d * (3.0f * (1.0f + s) + s * s) / (distance * distance) * xw) * xn;
+    float value = exp(-s) / (4.0f * kPi * distance * distance * distance) * (m.c_phi * fluence - m.c_e * slope);
+    vec3 at = vec3(0.0f);
+    at[channel] = value;
+    return at;
+}
+
+/// The directional dipole: light that enters along the unit vector `w` (already refracted) where the unit normal is
+/// `normal_in` and leaves `x` metres from there where it is `normal_out`. As published it returns up to twice as much light
+/// as a half-space does, some materials more than enters.
+FN vec3 directional_dipole(Diffusion m, vec3 x, vec3 w, vec3 normal_in, vec3 normal_out) {
+    float r2 = dot(x, x);
+    vec3 d_e = 2.131f * m.coefficient / sqrt(max(m.albedo_reduced, vec3(1e-4f)));
+    float front = -dot(w, normal_out);
+    // of the real source: what is seen from the lit side lies farther
+    float xw = dot(x, w);
+    vec3 cos_beta = -sqrt(max(r2 - xw * xw, 0.0f) / (vec3(r2) + d_e * d_e));
+    vec3 lit = m.coefficient * front * (m.coefficient * front - 2.0f * d_e * cos_beta);
+    vec3 back = vec3(1.0f) / (9.0f * m.sigma_t * m.sigma_t);
+    vec3 d_real = sqrt(max(vec3(r2) + (front > 0.0f ? lit : back), vec3(1e-20f)));
+    // the plane that mirrors it holds x
+    vec3 across = cross(normal_in, x);
+    float l2 = dot(across, across);
+    vec3 mirror = l2 > 1e-12f * r2 && r2 > 0.0f ? normalize(cross(x, across)) : normal_in;
+    vec3 w_mirrored = w - 2.0f * dot(w, mirror) * mirror;
+    float a = (1.0f - m.c_e) / (2.0f * m.c_phi);
+    vec3 sum = vec3(0.0f);
+    for (int channel = 0; channel < 3; ++channel) {
+        vec3 x_mirrored = x - 2.0f * a * d_e[channel] * mirror;
+        vec3 d_mirrored = vec3(max(length(x_mirrored), 1e-10f));
+        sum += directional_source(m, x, w, normal_out, d_real, channel) -
+               directional_source(m, x_mirrored, w_mirrored, normal_out, d_mirrored, channel);
+    }
+    return max(sum, vec3(0.0f));
+}
+
+#endif
