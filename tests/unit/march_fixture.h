@@ -22,7 +22,8 @@ class MarchTest : public RendererTest {
         engine_.reset();
         RendererTest::TearDown();
     }
-    void load(const Assignments& changes) {
+    void load(Assignments changes) {
+        changes.insert(changes.begin(), {"/entities/Fog/medium/solver", quoted("ray_marched")});
         if (!engine_) engine_ = std::make_unique<Engine>(true);
         engine_->load_scene(paths::root() / "assets/scenes/s1_fog_spot.json", changes);
         scene_ = engine_->extract();
