@@ -137,6 +137,49 @@ inline void describe(StructBuilder<FroxelSettings>& d) {
             "Brute force: a froxel for every 2x2 pixels, four times the depth, 16 samples, no history.");
 }
 
+/// How the shadows of uneven media are found.
+enum class ShadowMethod { automatic, march, opacity_map, fourier_map, clipmap };
+
+/// "shadows": { ... }: what media take of the light on its way (shadows/media_shadows.h).
+struct MediaShadowSettings {
+    ShadowMethod method = ShadowMethod::automatic;
+    int32_t size = 128;
+    int32_t layers = 64;
+    int32_t samples = 1;
+    int32_t terms = 8;
+    int32_t maps = 8;
+    int32_t voxels = 64;
+    int32_t levels = 2;
+    int32_t steps = 32;
+    bool operator==(const MediaShadowSettings&) const = default;
+};
+
+inline void describe(StructBuilder<MediaShadowSettings>& d) {
+    d.doc(
+        "Shadows of noise, grids and gradients; those of even media, blobs and height fog are exact and cost nothing "
+        "here.");
+    d.field("method", &MediaShadowSettings::method,
+            "march: light_steps samples toward the light for each lookup. opacity_map: a map of optical depths seen "
+            "from each light. fourier_map: its Fourier series, less memory. clipmap: voxels of extinction around the "
+            "camera, one for all lights. auto: opacity_map for the first lights, clipmap for those beyond.",
+            {"auto", "march", "opacity_map", "fourier_map", "clipmap"});
+    d.field("size", &MediaShadowSettings::size, "Texels along a side of a light's map.").range(8, 2048);
+    d.field("layers", &MediaShadowSettings::layers,
+            "Depths between the media's nearest and farthest place at which a map is gathered.")
+        .range(2, 1024);
+    d.field("samples", &MediaShadowSettings::samples,
+            "Samples of the density from a depth to the next, and along each side of a voxel of the clipmap.")
+        .range(1, 16);
+    d.field("terms", &MediaShadowSettings::terms, "Cosines of a Fourier map.").range(1, 32);
+    d.field("maps", &MediaShadowSettings::maps, "So many lights have a map; those beyond share the clipmap.")
+        .range(0, 64);
+    d.field("voxels", &MediaShadowSettings::voxels, "Along a side of each level of the clipmap.").range(8, 256);
+    d.field("levels", &MediaShadowSettings::levels,
+            "Of the clipmap: the last holds all uneven media, each before it half of the one after, at the camera.")
+        .range(1, 6);
+    d.field("steps", &MediaShadowSettings::steps, "Of a lookup through the clipmap.").range(1, 256);
+}
+
 /// "render": { "participating_media": { ... } } of a scene. What stands at this level is the ray march's.
 struct MediaSettings {
     static constexpr std::string_view kName = "participating_media";
@@ -145,6 +188,7 @@ struct MediaSettings {
     Resolution resolution = Resolution::full;
     int32_t steps = 12;
     int32_t light_steps = 8;
+    int32_t eye_steps = 32;
     bool jitter = true;
     bool filter = true;
     bool temporal = false;
@@ -155,6 +199,7 @@ struct MediaSettings {
     EpipolarSettings epipolar;
     GodRaysSettings god_rays;
     FroxelSettings froxels;
+    MediaShadowSettings shadows;
 };
 
 inline void describe(StructBuilder<MediaSettings>& d) {
@@ -173,7 +218,13 @@ inline void describe(StructBuilder<MediaSettings>& d) {
             "Steps over the part of a ray that lies in a medium and in a light's volume.")
         .range(1, 1024);
     d.field("light_steps", &MediaSettings::light_steps,
-            "Samples on the way to a light through noise and grids; other densities need none.")
+            "Samples through noise and grids on the way to the eye, and to lights whose shadows are marched; other "
+            "densities "
+            "need none.")
+        .range(1, 256);
+    d.field("eye_steps", &MediaSettings::eye_steps,
+            "Samples on the way to the eye of what is seen through noise and grids: too few are grain; other densities "
+            "need none.")
         .range(1, 256);
     d.field("jitter", &MediaSettings::jitter, "Blue-noise offsets: fine grain instead of bands.");
     d.field("filter", &MediaSettings::filter,
@@ -193,6 +244,7 @@ inline void describe(StructBuilder<MediaSettings>& d) {
     d.field("epipolar", &MediaSettings::epipolar, "Of the solver epipolar.");
     d.field("god_rays", &MediaSettings::god_rays, "Of the solver god_rays.");
     d.field("froxels", &MediaSettings::froxels, "Of the solver froxels.");
+    d.field("shadows", &MediaSettings::shadows, "What uneven media take of the light on its way.");
 }
 
 }  // namespace tyndall::participating_media

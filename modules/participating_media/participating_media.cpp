@@ -11,6 +11,7 @@
 #include "medium_component.h"
 #include "module/module.h"
 #include "segment.h"
+#include "shadows/media_shadows.h"
 
 namespace tyndall::participating_media {
 
@@ -22,6 +23,8 @@ class ParticipatingMedia final : public Module {
         const MediaSettings& settings = registrar.settings<MediaSettings>();
         const auto march = std::make_shared<MarchTerms>(media, settings);
         registrar.pass(std::make_unique<UploadPass>(media, settings));
+        const auto shadows = std::make_shared<MediaShadows>();
+        registrar.pass(std::make_unique<MediaShadowsPass>(media, shadows, settings));
         registrar.pass(std::make_unique<MarchPass>(media, march, settings));
         registrar.pass(std::make_unique<AccumulatePass>(media, march, settings));
         registrar.pass(std::make_unique<FilterPass>(media, settings));
@@ -35,10 +38,15 @@ class ParticipatingMedia final : public Module {
         const auto bind_media = [media, &settings](const gpu::Program& program, PassContext&) {
             media->bind(program, settings.light_steps);
         };
-        registrar.seam(Seam::light_transmittance, {.name = "participating_media",
-                                                   .include = "participating_media/transmittance.glsl",
-                                                   .function = "participating_media_transmittance",
-                                                   .bind = bind_media});
+        registrar.seam(Seam::light_transmittance,
+                       {.name = "participating_media",
+                        .include = "participating_media/transmittance.glsl",
+                        .function = "participating_media_transmittance",
+                        .reads = {"media_shadows"},
+                        .bind = [bind_media, shadows, &settings](const gpu::Program& program, PassContext& context) {
+                            bind_media(program, context);
+                            shadows->bind(program, settings);
+                        }});
         registrar.seam(Seam::indirect_light, {.name = "participating_media",
                                               .include = "participating_media/analytic/surface_glow.glsl",
                                               .function = "participating_media_surface_glow",

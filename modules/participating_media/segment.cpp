@@ -28,7 +28,7 @@ std::vector<glm::ivec3> segment_terms(const SolverPlan& plan, const FroxelGrid& 
 
 void bind_segment(const gpu::Program& program, PassContext& context, MediaBuffer& media, FroxelVolume& froxels,
                   const MediaSettings& settings) {
-    media.bind(program, settings.light_steps);
+    media.bind(program, settings.eye_steps);
     program.texture("media_in_scatter", context.texture("media_in_scatter"), {.filter = gpu::Filter::nearest});
     if (!program.has("segment_steps")) return;  // MEDIA_SEGMENT_OF_SURFACE
     context.frame().seams.bind(Seam::light_transmittance, program, context);

@@ -3,6 +3,7 @@
 // What only some media have stands in loops that others go through zero times: software renderers execute both sides of a
 // branch. A program that knows that there is one medium defines ONE_MEDIUM, and EVEN_MEDIA that no density varies: what
 // lies in a uniform block at a known place is much faster to read there.
+#include "participating_media/media_kinds.glsl"
 #include "physics/black_body.glsl"
 #include "physics/intersect.glsl"
 #include "physics/noise.glsl"
@@ -74,30 +75,37 @@ float grid_value(vec3 place, vec4 size) {
 
 #ifndef EVEN_MEDIA
 // Noise, grids and gradients: what has no closed form along a line. What of noise is finer than samples `spacing` metres
-// apart fades into its mean.
-float sampled_density(int i, vec3 p, float spacing) {
-    vec3 place = (media[i].field_from_world * vec4(p, 1.0)).xyz;
+// apart fades into its mean. `place` is field_from_world of p: along a line it grows by equal steps.
+float sampled_density(int i, vec3 p, vec3 place, float spacing) {
     float density = 0.0;
+#ifdef MEDIA_NOISE
     for (int k = 0; k < int(min(media[i].sampled.x, 1.0)); ++k) {
         for (int swirls = 0; swirls < (media[i].noise.y > 0.0 ? 1 : 0); ++swirls)
             place += media[i].noise.y * noise_swirl(place, media[i].noise.z);
         density += filtered_noise_density(place, int(media[i].noise.x), int(media[i].sampled.x), media[i].sampled.y,
                                           spacing * media[i].noise.w);
     }
+#endif
+#ifdef MEDIA_GRIDS
     for (int k = 0; k < int(min(media[i].grid_size.x, 1.0)); ++k)
         density += media[i].sampled.z * grid_value(place, vec4(media[i].grid_size.xyz, media[i].sampled.w));
+#endif
+#ifdef MEDIA_RAMPS
     for (int k = 0; k < int(min(media[i].ramp_from.w, 1.0)); ++k) {
         vec3 local = medium_place(i, p);
         float at = media[i].ramp_from.w > 1.5 ? radial_ramp(local, media[i].ramp_from.xyz, media[i].ramp_to.x, media[i].ramp_to.y)
                                               : linear_ramp(local, media[i].ramp_from.xyz, media[i].ramp_to.xyz);
         density += mix(media[i].ramp_ends.x, media[i].ramp_ends.y, at);
     }
+#endif
     return density;
 }
 
 // Constant, blobs and height: what has a closed form along a line.
 float closed_density(int i, vec3 p) {
-    float density = media[i].emission_even.w;
+    float density = 0.0;
+#ifdef MEDIA_CLOSED
+    density += media[i].emission_even.w;
     vec3 local = medium_place(i, p);
     for (int b = int(media[i].blobs_height.x); b < int(media[i].blobs_height.y); ++b) {
         vec3 away = local - blob_centre_radius[b].xyz;
@@ -106,6 +114,7 @@ float closed_density(int i, vec3 p) {
     }
     for (int k = 0; k < (media[i].blobs_height.w > 0.0 ? 1 : 0); ++k)
         density += height_density(p.y, media[i].blobs_height.z, 1.0 / media[i].blobs_height.w);
+#endif
     return density;
 }
 
@@ -121,16 +130,25 @@ float density_share(int i, vec3 p) {
 
 // Density of medium i at a place inside its box, for samples `spacing` metres apart; 0 for the density itself.
 float medium_density(int i, vec3 p, float spacing) {
-    float density = closed_density(i, p) + sampled_density(i, p, spacing);
+    float density = closed_density(i, p) + sampled_density(i, p, (media[i].field_from_world * vec4(p, 1.0)).xyz, spacing);
+#ifdef MEDIA_PRODUCTS
     for (int k = 0; k < int(media[i].shape.y); ++k) density *= density_share(i, p);
+#endif
     return density;
 }
 
-// Integral of the density along [t0, t1] inside medium i's box, metres; what has no closed form is taken `samples` times.
-float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) {
+// Whether anything of medium i has no closed form along a line: noise, grids, gradients, and all that mask and layer multiply.
+bool medium_uneven(int i) {
+    return media[i].shape.y + media[i].sampled.x + media[i].grid_size.x + media[i].ramp_from.w > 0.0;
+}
+
+// Integral of the density along [t0, t1] inside medium i's box, metres: the part that has a closed form.
+float closed_column(int i, vec3 origin, vec3 direction, float t0, float t1) {
+    float column = 0.0;
+#ifdef MEDIA_CLOSED
     float ds = t1 - t0;
     bool shared_out = media[i].shape.y > 0.0;  // mask and layer multiply: nothing has a closed form
-    float column = shared_out ? 0.0 : media[i].emission_even.w * ds;
+    column = shared_out ? 0.0 : media[i].emission_even.w * ds;
     int end_of_blobs = shared_out ? 0 : int(media[i].blobs_height.y);
     for (int b = int(media[i].blobs_height.x); b < end_of_blobs; ++b)
         column += blob_weight[b].x * gaussian_line_integral(medium_place(i, origin), mat3(media[i].box_from_world) * direction,
@@ -138,20 +156,38 @@ float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int 
     for (int k = 0; k < (media[i].blobs_height.w > 0.0 && !shared_out ? 1 : 0); ++k)
         column += height_fog_optical_depth(1.0, media[i].blobs_height.z, 1.0 / media[i].blobs_height.w, origin.y + t0 * direction.y,
                                            origin.y + t1 * direction.y, ds);
-    int count = shared_out || media[i].sampled.x + media[i].grid_size.x + media[i].ramp_from.w > 0.0 ? samples : 0;
-    float step_m = ds / float(samples);
+#endif
+    return column;
+}
+
+// The rest, taken `samples` times.
+float sampled_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) {
+    float column = 0.0;
+    int count = t0 < t1 && medium_uneven(i) ? samples : 0;
+    float step_m = (t1 - t0) / float(samples);
+    mat4 field = media[i].field_from_world;
+    vec3 place = (field * vec4(origin + direction * (t0 + media_sample_offset * step_m), 1.0)).xyz;
+    vec3 place_step = mat3(field) * direction * step_m;
     for (int s = 0; s < count; ++s) {
         vec3 p = origin + direction * (t0 + (float(s) + media_sample_offset) * step_m);
-        float density = sampled_density(i, p, step_m);
+        float density = sampled_density(i, p, place + float(s) * place_step, step_m);
+#ifdef MEDIA_PRODUCTS
         for (int k = 0; k < int(media[i].shape.y); ++k) density = (density + closed_density(i, p)) * density_share(i, p);
+#endif
         column += density * step_m;
     }
     return column;
 }
 #else
 float medium_density(int i, vec3 p, float spacing) { return 1.0; }
-float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) { return t1 - t0; }
+bool medium_uneven(int i) { return false; }
+float closed_column(int i, vec3 origin, vec3 direction, float t0, float t1) { return t1 - t0; }
+float sampled_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) { return 0.0; }
 #endif
+// Integral of the density along [t0, t1] inside medium i's box, metres.
+float medium_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) {
+    return closed_column(i, origin, direction, t0, t1) + sampled_column(i, origin, direction, t0, t1, samples);
+}
 float medium_density(int i, vec3 p) { return medium_density(i, p, 0.0); }
 
 // Radiance that medium i gives off per metre where its density is 1.
@@ -173,6 +209,28 @@ vec3 media_optical_depth(vec3 origin, vec3 direction, float t_begin, float t_end
         bool inside = clip_to_medium(i, origin, direction, t0, t1);
         t1 = inside ? t1 : t0;
         depth += media[i].sigma_t.rgb * medium_column(i, origin, direction, t0, t1, samples);
+    }
+    return depth;
+}
+
+// The same of what has a closed form, and of what has none.
+vec3 media_closed_depth(vec3 origin, vec3 direction, float t_begin, float t_end) {
+    vec3 depth = vec3(0.0);
+    for (int i = 0; i < media_count; ++i) {
+        float t0 = t_begin, t1 = t_end;
+        bool inside = clip_to_medium(i, origin, direction, t0, t1);
+        t1 = inside ? t1 : t0;
+        depth += media[i].sigma_t.rgb * closed_column(i, origin, direction, t0, t1);
+    }
+    return depth;
+}
+vec3 media_uneven_depth(vec3 origin, vec3 direction, float t_begin, float t_end, int samples) {
+    vec3 depth = vec3(0.0);
+    for (int i = 0; i < media_count; ++i) {
+        float t0 = t_begin, t1 = t_end;
+        bool inside = clip_to_medium(i, origin, direction, t0, t1);
+        t1 = inside ? t1 : t0;
+        depth += media[i].sigma_t.rgb * sampled_column(i, origin, direction, t0, t1, samples);
     }
     return depth;
 }

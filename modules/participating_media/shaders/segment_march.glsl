@@ -2,7 +2,6 @@
 #include "participating_media/environment.glsl"
 #include "participating_media/froxels/read.glsl"
 #include "participating_media/scattering.glsl"
-#include "physics/sequences.glsl"
 #include "render/shaders/lights.glsl"
 #include "seams/light_transmittance.glsl"
 

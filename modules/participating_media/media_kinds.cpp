@@ -1,0 +1,37 @@
+#include "media_kinds.h"
+
+#include <set>
+
+namespace tyndall::participating_media {
+namespace {
+
+void add_kinds(std::set<std::string>& kinds, const DensityField& density) {
+    if (std::holds_alternative<NoiseDensity>(density)) {
+        kinds.emplace("MEDIA_NOISE");
+    } else if (std::holds_alternative<GridDensity>(density)) {
+        kinds.emplace("MEDIA_GRIDS");
+    } else if (std::holds_alternative<GradientDensity>(density)) {
+        kinds.emplace("MEDIA_RAMPS");
+    } else if (const auto* product = std::get_if<ProductDensity>(&density)) {
+        kinds.emplace("MEDIA_PRODUCTS");
+        add_kinds(kinds, *product->base);
+    } else {
+        kinds.emplace("MEDIA_CLOSED");
+    }
+}
+
+}  // namespace
+
+std::string media_kinds(const std::vector<Medium>& media, const ShadowKinds& shadows) {
+    std::set<std::string> kinds;
+    for (const Medium& medium : media) add_kinds(kinds, medium.density);
+    if (shadows.marched) kinds.emplace("MEDIA_SHADOWS_MARCHED");
+    if (shadows.opacity) kinds.emplace("MEDIA_SHADOWS_OPACITY");
+    if (shadows.fourier) kinds.emplace("MEDIA_SHADOWS_FOURIER");
+    if (shadows.clipmap) kinds.emplace("MEDIA_SHADOWS_CLIPMAP");
+    std::string text;
+    for (const std::string& kind : kinds) text += "#define " + kind + "\n";
+    return text;
+}
+
+}  // namespace tyndall::participating_media
