@@ -5,7 +5,7 @@
 
 namespace tyndall::participating_media {
 
-enum class Resolution { full, half };
+enum class Resolution { full, half, quarter };
 
 /// The solver analytic.
 struct AnalyticSettings {
@@ -191,6 +191,9 @@ struct MediaSettings {
     int32_t eye_steps = 32;
     bool jitter = true;
     bool filter = true;
+    bool temporal = false;
+    bool shadow_mips = false;
+    float least_transmittance = 0.0001f;
     AnalyticSettings analytic;
     LightVolumesSettings light_volumes;
     EpipolarSettings epipolar;
@@ -206,8 +209,11 @@ inline void describe(StructBuilder<MediaSettings>& d) {
             "The solver auto marches as long as there are no more pairs of a light and a medium to march than this; "
             "beyond, the froxels are cheaper.")
         .range(0, 1 << 20);
-    d.field("resolution", &MediaSettings::resolution, "Half marches a quarter of the pixels and upsamples by depth.",
-            {"full", "half"});
+    d.field(
+        "resolution", &MediaSettings::resolution,
+        "Half marches a quarter of the pixels, quarter a sixteenth, and upsamples by depth; silhouettes are marched "
+        "in full.",
+        {"full", "half", "quarter"});
     d.field("steps", &MediaSettings::steps,
             "Steps over the part of a ray that lies in a medium and in a light's volume.")
         .range(1, 1024);
@@ -222,8 +228,17 @@ inline void describe(StructBuilder<MediaSettings>& d) {
         .range(1, 256);
     d.field("jitter", &MediaSettings::jitter, "Blue-noise offsets: fine grain instead of bands.");
     d.field("filter", &MediaSettings::filter,
-            "Averages 3x3 (at half resolution 5x5) marched pixels of like distance: takes the grain off, softens edges "
-            "of shafts.");
+            "Averages 3x3 marched pixels of like distance: takes the grain off, softens edges of shafts.");
+    d.field("temporal", &MediaSettings::temporal,
+            "Averages the march over frames in which no light, caster or medium changes. Off: every frame stands for "
+            "itself and its pattern is still.");
+    d.field(
+        "shadow_mips", &MediaSettings::shadow_mips,
+        "Leaves out the ends of rays that are in shadow, by least depths over parts of the shadow map, so that steps "
+        "fall where light is. For spots and suns whose shadow is one map.");
+    d.field("least_transmittance", &MediaSettings::least_transmittance,
+            "Rays end where less than this share of the light gets to the eye; so much of it, at most, is lost.")
+        .range(0.0, 0.5);
     d.field("analytic", &MediaSettings::analytic, "The solver analytic.");
     d.field("light_volumes", &MediaSettings::light_volumes, "Of the solver light_volumes.");
     d.field("epipolar", &MediaSettings::epipolar, "Of the solver epipolar.");

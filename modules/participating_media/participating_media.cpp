@@ -6,6 +6,7 @@
 #include "froxels/froxel_pass.h"
 #include "god_rays/god_rays_pass.h"
 #include "light_volumes/light_volumes_pass.h"
+#include "march/accumulate_pass.h"
 #include "march/march_pass.h"
 #include "medium_component.h"
 #include "module/module.h"
@@ -20,12 +21,14 @@ class ParticipatingMedia final : public Module {
         const auto media = std::make_shared<MediaBuffer>();
         registrar.component<MediumComponent>(extract_medium);
         const MediaSettings& settings = registrar.settings<MediaSettings>();
+        const auto march = std::make_shared<MarchTerms>(media, settings);
         registrar.pass(std::make_unique<UploadPass>(media, settings));
         const auto shadows = std::make_shared<MediaShadows>();
         registrar.pass(std::make_unique<MediaShadowsPass>(media, shadows, settings));
-        registrar.pass(std::make_unique<MarchPass>(media, settings));
+        registrar.pass(std::make_unique<MarchPass>(media, march, settings));
+        registrar.pass(std::make_unique<AccumulatePass>(media, march, settings));
         registrar.pass(std::make_unique<FilterPass>(media, settings));
-        registrar.pass(std::make_unique<GatherPass>(media, settings));
+        registrar.pass(std::make_unique<GatherPass>(media, march, settings));
         registrar.pass(std::make_unique<AnalyticPass>(media, settings));
         registrar.pass(std::make_unique<LightVolumesPass>(media, settings));
         registrar.pass(std::make_unique<EpipolarPass>(media, settings));

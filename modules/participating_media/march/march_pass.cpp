@@ -3,163 +3,150 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include "light_rectangle.h"
-#include "media_textures.h"
+#include <array>
+
+#include "render/frame.h"
 
 namespace tyndall::participating_media {
 namespace {
 
-int pixel_step(const MediaSettings& settings) {
-    return settings.resolution == Resolution::half ? 2 : 1;
-}
+constexpr std::string_view kFilterShader = "participating_media/march/filter.frag";
 
-TargetDesc marched_target(const MediaSettings& settings) {
-    return {.format = gpu::Format::rgba32f, .scale = 1.0f / static_cast<float>(pixel_step(settings))};
+bool below_full(const MediaSettings& settings) {
+    return settings.resolution != Resolution::full;
 }
 
 bool filters_apart(const MediaSettings& settings) {
-    return settings.filter && settings.resolution != Resolution::full;
+    return settings.filter && below_full(settings);
+}
+
+/// What the filter reads.
+std::string found_grainy(const MediaSettings& settings) {
+    return settings.temporal ? "media_accumulated" : "media_marched";
+}
+
+/// What the gathering pass reads.
+std::string found(const MediaSettings& settings) {
+    return filters_apart(settings) ? "media_marched_filtered" : found_grainy(settings);
 }
 
 }  // namespace
 
+TargetDesc marched_target(const MediaSettings& settings) {
+    return {.format = gpu::Format::rgba32f, .scale = 1.0f / static_cast<float>(pixel_step(settings.resolution))};
+}
+
 void MarchPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::media).reads("scene_depth", "where rays end");
     declaration.writes("media_marched", marched_target(settings_),
-                       "single-scattered radiance between the eye and the surface, and the distance marched");
+                       "single-scattered radiance between the eye and the surface, and its guide");
 }
 
 void MarchPass::execute(PassContext& context) {
-    if (blue_noise_.name() == 0) blue_noise_ = make_blue_noise();
     if (!media_->plan().uses(Solver::ray_marched)) return;
     context.bind_targets();
-    draw_distance(context);
+    constexpr std::array<float, 4> kNothing{};
+    glClearBufferfv(GL_COLOR, 0, kNothing.data());
     glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);  // the distance stays
-    programs_.begin();
-    for (const Term& term : media_->plan().terms(Solver::ray_marched)) {
-        if (term.source == Term::Source::light)
-            draw_light(context, term.light, static_cast<int>(term.medium));
-        else
-            draw_glow(context, term.source, static_cast<int>(term.medium));
-    }
+    glBlendFunc(GL_ONE, GL_ONE);
+    terms_->march(context);
     glDisable(GL_BLEND);
-}
-
-void MarchPass::draw_glow(PassContext& context, Term::Source source, int medium) {
-    static const gpu::ProgramDesc kEmission{.name = "participating_media.emission",
-                                            .fragment = "participating_media/march/emission.frag"};
-    static const gpu::ProgramDesc kEnvironment{.name = "participating_media.environment",
-                                               .fragment = "participating_media/march/environment.frag"};
-    const bool own = source == Term::Source::emission;
-    const gpu::Program& program = context.frame().shaders.program(own ? kEmission : kEnvironment);
-    program.use();
-    if (!own) media_->environment().bind(program);
-    bind_frame(program, context.frame());
-    bind_march(program, context);
-    program.set("medium", medium);
-    gpu::draw_fullscreen();
-    programs_.begin();  // the lights' program is no longer in use
-}
-
-void MarchPass::draw_distance(PassContext& context) {
-    static const gpu::ProgramDesc kDesc{.name = "participating_media.distance",
-                                        .fragment = "participating_media/march/distance.frag"};
-    const gpu::Program& program = context.frame().shaders.program(kDesc);
-    program.use();
-    bind_frame(program, context.frame());
-    bind_common(program, context);
-    gpu::draw_fullscreen();
-}
-
-void MarchPass::draw_light(PassContext& context, size_t light, int medium) {
-    Frame& frame = context.frame();
-    const glm::ivec2 size = glm::max(context.size() / pixel_step(settings_), glm::ivec2(1));
-    const ScreenRectangle rectangle = light_rectangle(frame.scene.lights[light], frame.block.view_projection, size);
-    if (rectangle.empty()) return;
-    const gpu::Program& program = programs_.of(*media_, media_->media()[static_cast<size_t>(medium)].phase.kind)
-                                      .use(frame, light, [&](const gpu::Program& fresh) {
-                                          bind_light_source(fresh, context, *media_, settings_.light_steps);
-                                          bind_march(fresh, context);
-                                      });
-    program.set("light_index", static_cast<unsigned>(light));
-    program.set("medium", medium);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(rectangle.low.x, rectangle.low.y, rectangle.size.x, rectangle.size.y);
-    gpu::draw_fullscreen();
-    glDisable(GL_SCISSOR_TEST);
-}
-
-void MarchPass::bind_march(const gpu::Program& program, PassContext& context) const {
-    bind_common(program, context);
-    media_->bind(program, settings_.light_steps);
-    program.texture("blue_noise", blue_noise_,
-                    {.filter = gpu::Filter::nearest, .wrap_u = gpu::Wrap::repeat, .wrap_v = gpu::Wrap::repeat});
-    program.set("steps", settings_.steps);
-    program.set("once", 1);
-    program.set("fixed_offset", settings_.jitter ? -1.0f : 0.5f);
-}
-
-void MarchPass::bind_common(const gpu::Program& program, PassContext& context) const {
-    program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
-    program.set("pixel_step", pixel_step(settings_));
-    program.set("farthest", kFarthest);
 }
 
 void FilterPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::media);
     if (!filters_apart(settings_)) return;
-    declaration.reads("media_marched", "grainy")
+    declaration.reads(found_grainy(settings_), "grainy")
+        .reads("scene_depth", "where rays end")
         .writes("media_marched_filtered", marched_target(settings_), "the same without its grain");
 }
 
 void FilterPass::execute(PassContext& context) {
-    static const gpu::ProgramDesc kDesc{.name = "participating_media.filter",
-                                        .fragment = "participating_media/march/filter.frag",
-                                        .defines = {"RADIUS 2"}};
+    static const gpu::ProgramDesc kDesc{
+        .name = "participating_media.filter", .fragment = std::string(kFilterShader), .defines = {"RADIUS 1"}};
     if (!media_->plan().uses(Solver::ray_marched)) return;
     context.bind_targets();
     const gpu::Program& program = context.frame().shaders.program(kDesc);
     program.use();
-    program.texture("marched", context.texture("media_marched"), {.filter = gpu::Filter::nearest});
+    bind_frame(program, context.frame());
+    MarchTerms::bind_ray(program, context, pixel_step(settings_.resolution));
+    program.texture("marched", context.texture(found_grainy(settings_)), {.filter = gpu::Filter::nearest});
     gpu::draw_fullscreen();
 }
 
 void GatherPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::media)
         .reads("scene_depth", "where rays end")
-        .reads(filters_apart(settings_) ? "media_marched_filtered" : "media_marched", "what the march found")
+        .reads(found(settings_), "what the march found")
         .writes("media_in_scatter", {.format = gpu::Format::rgba32f},
                 "single-scattered radiance between the eye and the surface, and that distance");
-}
-
-const gpu::ProgramDesc& GatherPass::program() const {
-    static const gpu::ProgramDesc kNothing{.name = "participating_media.distance",
-                                           .fragment = "participating_media/march/distance.frag"};
-    static const gpu::ProgramDesc kUpsample{.name = "participating_media.upsample",
-                                            .fragment = "participating_media/march/upsample.frag"};
-    static const gpu::ProgramDesc kFilter{.name = "participating_media.filter",
-                                          .fragment = "participating_media/march/filter.frag",
-                                          .defines = {"RADIUS 1"}};
-    static const gpu::ProgramDesc kCopy{.name = "participating_media.copy",
-                                        .fragment = "participating_media/march/filter.frag",
-                                        .defines = {"RADIUS 0"}};
-    if (!media_->plan().uses(Solver::ray_marched)) return kNothing;
-    if (settings_.resolution != Resolution::full) return kUpsample;
-    return settings_.filter ? kFilter : kCopy;
+    if (!below_full(settings_)) return;
+    declaration.writes("media_shares", {.format = gpu::Format::rgba16f}, "what part of the guide there is");
 }
 
 void GatherPass::execute(PassContext& context) {
-    context.bind_targets();
-    const gpu::Program& program = context.frame().shaders.program(this->program());
+    static const gpu::ProgramDesc kNothing{.name = "participating_media.distance",
+                                           .fragment = "participating_media/march/distance.frag"};
+    static const gpu::ProgramDesc kFilter{.name = "participating_media.filter",
+                                          .fragment = std::string(kFilterShader),
+                                          .defines = {"RADIUS 1", "AT_FULL_RESOLUTION"}};
+    static const gpu::ProgramDesc kCopy{.name = "participating_media.copy",
+                                        .fragment = std::string(kFilterShader),
+                                        .defines = {"RADIUS 0", "AT_FULL_RESOLUTION"}};
+    const bool marched = media_->plan().uses(Solver::ray_marched);
+    if (marched && below_full(settings_)) {
+        upsample(context);
+        return;
+    }
+    constexpr std::array<std::string_view, 1> kTargets{"media_in_scatter"};
+    context.bind_targets(kTargets, -1);
+    draw(context, !marched ? kNothing : settings_.filter ? kFilter : kCopy);
+}
+
+void GatherPass::draw(PassContext& context, const gpu::ProgramDesc& desc) {
+    const gpu::Program& program = context.frame().shaders.program(desc);
     program.use();
     bind_frame(program, context.frame());
-    program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
-    program.texture("marched", context.texture(filters_apart(settings_) ? "media_marched_filtered" : "media_marched"),
-                    {.filter = gpu::Filter::nearest});
-    program.set("pixel_step", 1);
-    program.set("farthest", kFarthest);
+    MarchTerms::bind_ray(program, context, pixel_step(settings_.resolution));
+    program.texture("marched", context.texture(found(settings_)), {.filter = gpu::Filter::nearest});
     gpu::draw_fullscreen();
+}
+
+void GatherPass::make_list(glm::ivec2 size) {
+    constexpr std::array<unsigned, 4> kEmpty{0, 1, 1, 0};
+    const size_t bytes = sizeof(kEmpty) + sizeof(unsigned) * static_cast<size_t>(size.x) * static_cast<size_t>(size.y);
+    if (list_.size() != bytes) list_ = gpu::Buffer(bytes, nullptr, "participating_media.unknown_pixels");
+    list_.update(0, sizeof(kEmpty), kEmpty.data());
+}
+
+void GatherPass::upsample(PassContext& context) {
+    static const gpu::ProgramDesc kShares{.name = "participating_media.shares",
+                                          .compute = "participating_media/march/shares.comp",
+                                          .defines = {"GUIDE_ONLY"}};
+    constexpr std::array<std::string_view, 1> kTargets{"media_in_scatter"};
+    const glm::ivec2 size = context.size();
+    make_list(size);
+    const gpu::Program& program = context.frame().shaders.program(kShares);
+    program.use();
+    bind_frame(program, context.frame());
+    MarchTerms::bind_ray(program, context, pixel_step(settings_.resolution));
+    program.image("marched", context.texture(found(settings_)), 0, false);
+    program.image("media_in_scatter", context.texture("media_in_scatter"), 0, true);
+    program.image("media_shares", context.texture("media_shares"), 0, true);
+    program.block("UnknownPixels", list_);
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    glDispatchCompute(static_cast<GLuint>((size.x + 7) / 8), static_cast<GLuint>((size.y + 7) / 8), 1);
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                    GL_SHADER_STORAGE_BARRIER_BIT);
+    // what is added leaves the alpha alone: a distance
+    context.bind_targets(kTargets, -1);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+    terms_->add_shares(context);
+    glDisable(GL_BLEND);
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    terms_->march_listed(context, list_);
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 }  // namespace tyndall::participating_media

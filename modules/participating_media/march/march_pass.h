@@ -3,40 +3,34 @@
 
 #include <memory>
 
+#include "march/march_terms.h"
 #include "media_buffer.h"
-#include "media_programs.h"
 #include "media_settings.h"
-#include "render/frame.h"
 #include "render/frame_graph.h"
 
 namespace tyndall::participating_media {
 
-/// Writes `media_marched`: rgb single-scattered radiance between the eye and the surface (cd/m2), a the distance
-/// marched (m), at full or half resolution.
+/// Of what is marched.
+[[nodiscard]] TargetDesc marched_target(const MediaSettings& settings);
+
+/// Writes `media_marched`: rgb single-scattered radiance between the eye and the surface (cd/m2), a its guide
+/// (shaders/march/guide.glsl), at full, half or quarter resolution.
 class MarchPass final : public Pass {
  public:
     /// `settings` must outlive the pass.
-    MarchPass(std::shared_ptr<MediaBuffer> media, const MediaSettings& settings)
-        : media_(std::move(media)), settings_(settings) {}
+    MarchPass(std::shared_ptr<MediaBuffer> media, std::shared_ptr<MarchTerms> terms, const MediaSettings& settings)
+        : media_(std::move(media)), terms_(std::move(terms)), settings_(settings) {}
     [[nodiscard]] std::string_view name() const override { return "participating_media.march"; }
     void declare(PassDeclaration& declaration) override;
     void execute(PassContext& context) override;
 
  private:
-    void draw_distance(PassContext& context);
-    void draw_light(PassContext& context, size_t light, int medium);
-    /// What lights a medium evenly: its own emission, or light from all around.
-    void draw_glow(PassContext& context, Term::Source source, int medium);
-    void bind_march(const gpu::Program& program, PassContext& context) const;
-    void bind_common(const gpu::Program& program, PassContext& context) const;
-
     std::shared_ptr<MediaBuffer> media_;
+    std::shared_ptr<MarchTerms> terms_;
     const MediaSettings& settings_;
-    gpu::Texture blue_noise_;
-    MediaPrograms programs_{{.name = "participating_media.march", .fragment = "participating_media/march/march.frag"}};
 };
 
-/// At half resolution: averages 5x5 marched pixels of like distance into `media_marched_filtered`; the errors of the
+/// Below full resolution: sums 3x3 marched pixels of like distance into `media_marched_filtered`; the errors of the
 /// blue-noise mask cancel there.
 class FilterPass final : public Pass {
  public:
@@ -52,20 +46,25 @@ class FilterPass final : public Pass {
 };
 
 /// Creates `media_in_scatter`: rgb single-scattered radiance between the eye and the surface (cd/m2), a that distance
-/// (m), at the frame's resolution. Upsamples what was marched by depth, or filters 3x3 pixels of like distance; the
-/// other solvers add to it.
+/// (m), at the frame's resolution; the other solvers add to it. At full resolution it filters 3x3 pixels of like
+/// distance. Below, it upsamples what part of the guide was found, times the guide of each pixel, and marches the
+/// pixels of which marched pixels say too little.
 class GatherPass final : public Pass {
  public:
-    GatherPass(std::shared_ptr<MediaBuffer> media, const MediaSettings& settings)
-        : media_(std::move(media)), settings_(settings) {}
+    GatherPass(std::shared_ptr<MediaBuffer> media, std::shared_ptr<MarchTerms> terms, const MediaSettings& settings)
+        : media_(std::move(media)), terms_(std::move(terms)), settings_(settings) {}
     [[nodiscard]] std::string_view name() const override { return "participating_media.gather"; }
     void declare(PassDeclaration& declaration) override;
     void execute(PassContext& context) override;
 
  private:
-    [[nodiscard]] const gpu::ProgramDesc& program() const;
+    void draw(PassContext& context, const gpu::ProgramDesc& desc);
+    void upsample(PassContext& context);
+    void make_list(glm::ivec2 size);
     std::shared_ptr<MediaBuffer> media_;
+    std::shared_ptr<MarchTerms> terms_;
     const MediaSettings& settings_;
+    gpu::Buffer list_;  ///< UnknownPixels of main.glsl: an indirect dispatch, a count, pixels
 };
 
 }  // namespace tyndall::participating_media

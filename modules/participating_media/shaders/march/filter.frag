@@ -1,23 +1,34 @@
-// Takes the grain off what was marched: the mean over neighbours of like distance, RADIUS pixels on each side. The errors
-// of the blue-noise mask cancel over few pixels.
-uniform sampler2D marched;  // rgb radiance, a metres marched
+// Takes the grain off what was marched: sums over neighbours of like distance, RADIUS pixels on each side. The errors of the
+// blue-noise mask cancel over few pixels. Light and guide are summed alike, so that their quotient loses nothing that the
+// guide knows.
+#include "participating_media/march/ray.glsl"
 
-out vec4 filtered;
+uniform sampler2D marched;  // rgb radiance, a its guide
+
+#ifdef AT_FULL_RESOLUTION
+out vec4 filtered;  // rgb radiance, a metres
+#else
+out vec4 filtered;  // rgb radiance, a its guide
+#endif
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 last = textureSize(marched, 0) - 1;
-    vec4 centre = texelFetch(marched, pixel, 0);
-    float sharpness = 12.0 / max(centre.a, 1e-3);
-    vec3 sum = vec3(0.0);
-    float total = 0.0;
+    float depth = texelFetch(scene_depth, marched_pixel(pixel), 0).r;
+    float sharpness = 12.0 / max(depth, 1e-12);
+    vec4 sum = vec4(0.0);
     for (int y = -RADIUS; y <= RADIUS; ++y) {
         for (int x = -RADIUS; x <= RADIUS; ++x) {
-            vec4 texel = texelFetch(marched, clamp(pixel + ivec2(x, y), ivec2(0), last), 0);
-            float weight = (float(RADIUS + 1) - float(abs(x))) * (float(RADIUS + 1) - float(abs(y))) * max(0.0, 1.0 - sharpness * abs(texel.a - centre.a));
-            sum += weight * texel.rgb;
-            total += weight;
+            ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
+            float other = texelFetch(scene_depth, marched_pixel(at), 0).r;
+            float weight = float((RADIUS + 1 - abs(x)) * (RADIUS + 1 - abs(y))) * max(0.0, 1.0 - sharpness * abs(other - depth));
+            sum += weight * texelFetch(marched, at, 0);
         }
     }
-    filtered = vec4(sum / total, centre.a);
+#ifdef AT_FULL_RESOLUTION
+    float guide = texelFetch(marched, pixel, 0).a;
+    filtered = vec4(sum.a > 0.0 ? sum.rgb * (guide / sum.a) : vec3(0.0), pixel_metres(pixel));
+#else
+    filtered = sum;
+#endif
 }

@@ -6,16 +6,12 @@
 // rest is taken at one point of the step, jittered by blue noise, so that the mean over pixels has no bias. The way to the
 // eye is exact for even media, for blobs and for height fog; through noise and grids it is taken once a step.
 #include "participating_media/light_source.glsl"
+#include "participating_media/march/guide.glsl"
+#if SHADOW_MIPS == 1 && SHADOW_VIEWS == 1
+#include "participating_media/march/lit_part.glsl"
+#endif
 
-uniform sampler2D scene_depth;
-uniform sampler2D blue_noise;
-uniform int steps;
-uniform float fixed_offset;  // of a step; negative = by blue noise
-uniform int pixel_step;  // full-resolution pixels from one marched pixel to the next
-uniform float farthest;  // metres; rays that hit nothing end here
-
-out vec4 in_scatter;  // rgb radiance, a metres marched
-
+#ifndef GUIDE_ONLY
 #if LIGHT_KIND == 2  // LIGHT_DIRECTIONAL
 vec3 march(Ray ray, float t0, float t1, float offset) {
     float ds = (t1 - t0) / float(steps);
@@ -33,7 +29,7 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
     // where the density varies, and few steps would lose light.
     vec3 to_eye = media_transmittance(ray.origin, ray.direction, 0.0, t0);
     float reached = t0;
-    for (int i = 0; i < steps; ++i) {
+    for (int i = 0; i < steps && largest(to_eye) >= least_transmittance; ++i) {
         float t = t0 + (float(i) + offset) * ds;
         to_eye *= exp(-media_optical_depth(ray.origin, ray.direction, reached, t, 1));
         reached = t;
@@ -57,8 +53,10 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
 #if !defined(ONE_MEDIUM) || !defined(EVEN_MEDIA)
     vec3 to_eye = media_transmittance(ray.origin, ray.direction, 0.0, t0);
     float reached = t0;
-#endif
+    for (int i = 0; i < steps && largest(to_eye) >= least_transmittance; ++i) {
+#else
     for (int i = 0; i < steps; ++i) {
+#endif
         float tangent = at.y / at.x;
         float t = clamp(closest + passing * tangent, t0, t1);
         // the integral of 1/d^2 over the step is dangle / passing; `source` has 1/d^2 at t in it
@@ -75,23 +73,54 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
     return sum;
 }
 #endif
+#endif
 
-void main() {
-    ivec2 pixel = min(ivec2(gl_FragCoord.xy) * pixel_step, ivec2(frame.size_time.xy) - 1);
-    float depth = texelFetch(scene_depth, pixel, 0).r;
-    vec2 uv = (vec2(pixel) + 0.5) / frame.size_time.xy;
-    Ray ray = Ray(frame.eye_near.xyz, eye_ray(uv));
-    float end = depth > 0.0 ? eye_distance(uv, depth) : farthest;
-    float offset = fixed_offset >= 0.0 ? fixed_offset : texelFetch(blue_noise, ivec2(gl_FragCoord.xy) & 63, 0).r;
-    media_sample_offset = fixed_offset >= 0.0 ? 0.5 : fract(offset + 0.61803399);  // not the steps' own offset
-
-    in_scatter = vec4(0.0, 0.0, 0.0, end);
-    float t0 = 0.0, t1 = end;
-    if (!clip_to_medium(medium, ray.origin, ray.direction, t0, t1)) return;
-    float entry = t0;
-    if (!light_segment(light_index, ray.origin, ray.direction, t0, t1)) return;
-    in_scatter.rgb = media[medium].sigma_s_phase.rgb * march(ray, t0, t1, offset);
-#if defined(ONE_MEDIUM) && defined(EVEN_MEDIA)
-    in_scatter.rgb *= exp(-media[medium].sigma_t.rgb * (t0 - entry));
+/// The light's guide (output.glsl) on this part of the ray.
+float guide_of(Ray ray, float t0, float t1) {
+    const float kMeanPhase = 0.0795775;  // 1 / (4 pi): of a size with the guides of glows
+    float weight = kMeanPhase * luminance(light_data(light_index).intensity_profile.rgb) * luminance(media[medium].sigma_s_phase.rgb);
+#if LIGHT_KIND == 2
+    return weight * (t1 - t0);
+#else
+    vec3 from_light = ray.origin - light_position(light_index);
+    float passing = max(length(from_light - dot(from_light, ray.direction) * ray.direction), 1e-3);
+    vec3 a = normalize(from_light + t0 * ray.direction), b = normalize(from_light + t1 * ray.direction);
+    vec3 middle = normalize(a + b);
+    weight *= 2.0 * atan(length(b - middle), length(b + middle)) * 2.0 / passing;  // the angle, precise when small
+#if LIGHT_KIND == 1
+    // the cone's profile in the middle of the angle: near the lamp a cone is narrower than a few pixels
+    weight *= spot_falloff(int(light_data(light_index).intensity_profile.w), dot(middle, light_data(light_index).direction_kind.xyz),
+                           light_data(light_index).up_cos_inner.w, light_data(light_index).right_cos_outer.w);
+#endif
+    return weight;
 #endif
 }
+
+/// rgb radiance and a its guide of a pixel's ray.
+vec4 march_pixel(ivec2 pixel, ivec2 noise_at) {
+    Ray ray = Ray(frame.eye_near.xyz, eye_ray(pixel_uv(pixel)));
+    float t0 = 0.0, t1 = pixel_metres(pixel);
+    if (!clip_to_medium(medium, ray.origin, ray.direction, t0, t1)) return vec4(0.0);
+    float entry = t0;
+#if defined(ONE_MEDIUM) && defined(EVEN_MEDIA)
+    t1 = min(t1, entry - log(max(least_transmittance, 1e-30)) / max(least(media[medium].sigma_t.rgb), 1e-30));
+#endif
+    if (!light_segment(light_index, ray.origin, ray.direction, t0, t1)) return vec4(0.0);
+    float guide = guide_of(ray, t0, t1);
+#ifdef GUIDE_ONLY
+    return vec4(vec3(0.0), guide);
+#else
+    float offset = step_offset(noise_at);
+#if SHADOW_MIPS == 1 && SHADOW_VIEWS == 1
+    if (!clip_to_lit(ray.origin, ray.direction, t0, t1)) return vec4(vec3(0.0), guide);
+#endif
+    media_sample_offset = fixed_offset >= 0.0 ? 0.5 : fract(offset + 0.61803399);  // not the steps' own offset
+    vec3 radiance = media[medium].sigma_s_phase.rgb * march(ray, t0, t1, offset);
+#if defined(ONE_MEDIUM) && defined(EVEN_MEDIA)
+    radiance *= exp(-media[medium].sigma_t.rgb * (t0 - entry));
+#endif
+    return vec4(radiance, guide);
+#endif
+}
+
+#include "participating_media/march/main.glsl"

@@ -1,0 +1,153 @@
+#include "march/march_terms.h"
+
+#include <epoxy/gl.h>
+
+#include "light_rectangle.h"
+#include "media_textures.h"
+#include "render/frame.h"
+
+namespace tyndall::participating_media {
+
+int pixel_step(Resolution resolution) {
+    switch (resolution) {
+        case Resolution::full:
+            return 1;
+        case Resolution::half:
+            return 2;
+        case Resolution::quarter:
+            return 4;
+    }
+    return 1;
+}
+
+gpu::ProgramDesc MarchTerms::describe(Way way, const std::string& what) {
+    const std::string shader = "participating_media/march/" + what + ".glsl";
+    switch (way) {
+        case Way::marched:
+            return {.name = "participating_media." + what, .fragment = shader};
+        case Way::guide_only:
+            return {.name = "participating_media." + what + "_guide", .fragment = shader, .defines = {"GUIDE_ONLY"}};
+        case Way::listed:
+            return {.name = "participating_media." + what + "_listed", .compute = shader, .defines = {"LISTED"}};
+    }
+    return {};
+}
+
+MarchTerms::MarchTerms(std::shared_ptr<MediaBuffer> media, const MediaSettings& settings)
+    : media_(std::move(media)),
+      settings_(settings),
+      programs_{MediaPrograms(describe(Way::marched, "march"), {"SHADOW_MIPS"}),
+                MediaPrograms(describe(Way::guide_only, "march"), {"SHADOW_MIPS"}),
+                MediaPrograms(describe(Way::listed, "march"), {"SHADOW_MIPS"})} {}
+
+void MarchTerms::march(PassContext& context) {
+    if (settings_.temporal) history_.update(context.frame(), *media_, pixel_step(settings_.resolution));
+    draw(context, Way::marched);
+}
+
+void MarchTerms::add_shares(PassContext& context) {
+    draw(context, Way::guide_only);
+}
+
+void MarchTerms::march_listed(PassContext& context, const gpu::Buffer& list) {
+    list_ = &list;
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, list.name());
+    draw(context, Way::listed);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
+}
+
+void MarchTerms::draw(PassContext& context, Way way) {
+    if (blue_noise_.name() == 0) blue_noise_ = make_blue_noise();
+    way_ = way;
+    skips_dark_ = settings_.shadow_mips && way != Way::guide_only && shadow_mips_.update(context.frame());
+    MediaPrograms& programs = programs_.at(static_cast<size_t>(way));
+    programs.begin();
+    for (const Term& term : media_->plan().terms(Solver::ray_marched)) {
+        if (term.source == Term::Source::light) {
+            draw_light(context, term.light, static_cast<int>(term.medium));
+        } else {
+            draw_glow(context, term.source, static_cast<int>(term.medium));
+            programs.begin();  // the lights' program is no longer in use
+        }
+    }
+}
+
+void MarchTerms::draw_or_dispatch() const {
+    if (way_ != Way::listed) {
+        gpu::draw_fullscreen();
+        return;
+    }
+    glDispatchComputeIndirect(0);
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+void MarchTerms::draw_glow(PassContext& context, Term::Source source, int medium) {
+    const bool own = source == Term::Source::emission;
+    const gpu::Program& program = context.frame().shaders.program(describe(way_, own ? "emission" : "environment"));
+    program.use();
+    if (!own) media_->environment().bind(program);
+    bind_frame(program, context.frame());
+    media_->bind(program, settings_.light_steps);
+    bind(program, context);
+    program.set("medium", medium);
+    draw_or_dispatch();
+}
+
+void MarchTerms::draw_light(PassContext& context, size_t light, int medium) {
+    Frame& frame = context.frame();
+    const glm::ivec2 size = (context.size() + step() - 1) / step();
+    const ScreenRectangle rectangle = light_rectangle(frame.scene.lights[light], frame.block.view_projection, size);
+    if (rectangle.empty()) return;
+    const PhaseKind phase = media_->media()[static_cast<size_t>(medium)].phase.kind;
+    const gpu::Program& program = programs_.at(static_cast<size_t>(way_))
+                                      .of(*media_, phase, {skips_dark_ ? 1 : 0})
+                                      .use(frame, light, [&](const gpu::Program& fresh) {
+                                          bind_light_source(fresh, context, *media_, settings_.light_steps);
+                                          bind(fresh, context);
+                                      });
+    program.set("light_index", static_cast<unsigned>(light));
+    program.set("medium", medium);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(rectangle.low.x, rectangle.low.y, rectangle.size.x, rectangle.size.y);
+    draw_or_dispatch();
+    glDisable(GL_SCISSOR_TEST);
+}
+
+int MarchTerms::step() const {
+    return way_ == Way::marched ? pixel_step(settings_.resolution) : 1;
+}
+
+/// Twice as many where no mean over neighbours or frames follows.
+int MarchTerms::steps() const {
+    const bool alone = way_ == Way::listed || (settings_.temporal && history_.alone());
+    return alone ? 2 * settings_.steps : settings_.steps;
+}
+
+void MarchTerms::bind(const gpu::Program& program, PassContext& context) const {
+    bind_ray(program, context, step());
+    program.set("least_transmittance", settings_.least_transmittance);
+    if (way_ == Way::guide_only) {
+        program.texture("media_shares", context.texture("media_shares"), {.filter = gpu::Filter::nearest});
+        return;
+    }
+    if (way_ == Way::listed) {
+        program.block("UnknownPixels", *list_);
+        program.image("media_in_scatter", context.texture("media_in_scatter"), 0, true);
+    }
+    program.texture("blue_noise", blue_noise_,
+                    {.filter = gpu::Filter::nearest, .wrap_u = gpu::Wrap::repeat, .wrap_v = gpu::Wrap::repeat});
+    if (skips_dark_) shadow_mips_.bind(program);
+    program.set("steps", steps());
+    program.set("once", 1);
+    const bool moves = settings_.temporal && way_ == Way::marched;
+    program.set("frame_offset", moves ? static_cast<float>(context.frame().scene.frame % 1024) * 0.61803399f : 0.0f);
+    program.set("fixed_offset", settings_.jitter ? -1.0f : 0.5f);
+}
+
+void MarchTerms::bind_ray(const gpu::Program& program, PassContext& context, int pixel_step) {
+    program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
+    program.set("pixel_step", pixel_step);
+    program.set("farthest", kFarthest);
+}
+
+}  // namespace tyndall::participating_media

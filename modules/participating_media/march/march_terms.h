@@ -1,0 +1,61 @@
+#pragma once
+/// Draws of what is marched: a term each, within the rectangle that its light reaches.
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "march/march_history.h"
+#include "march/shadow_mips.h"
+#include "media_buffer.h"
+#include "media_programs.h"
+#include "media_settings.h"
+#include "render/frame_graph.h"
+
+namespace tyndall::participating_media {
+
+/// Full-resolution pixels from one marched pixel to the next.
+[[nodiscard]] int pixel_step(Resolution resolution);
+
+class MarchTerms {
+ public:
+    /// `settings` must outlive this.
+    MarchTerms(std::shared_ptr<MediaBuffer> media, const MediaSettings& settings);
+
+    /// Marches all terms into the bound target: adds rgb radiance (cd/m2) and in a its guide
+    /// (shaders/march/guide.glsl).
+    void march(PassContext& context);
+    /// Adds to each pixel of the bound frame the guide times the target "media_shares".
+    void add_shares(PassContext& context);
+    /// Marches the pixels of the list that shares.comp made, and adds them to "media_in_scatter".
+    void march_listed(PassContext& context, const gpu::Buffer& list);
+    /// What of the last frames holds; only with "temporal".
+    [[nodiscard]] const MarchHistory& history() const { return history_; }
+    /// Sets what shaders/march/ray.glsl declares.
+    static void bind_ray(const gpu::Program& program, PassContext& context, int pixel_step);
+
+ private:
+    /// main.glsl's.
+    enum class Way { marched, guide_only, listed };
+    static gpu::ProgramDesc describe(Way way, const std::string& what);
+    void draw(PassContext& context, Way way);
+    void draw_or_dispatch() const;
+    [[nodiscard]] int step() const;
+    [[nodiscard]] int steps() const;
+    void draw_light(PassContext& context, size_t light, int medium);
+    /// What lights a medium evenly: its own emission, or light from all around.
+    void draw_glow(PassContext& context, Term::Source source, int medium);
+    void bind(const gpu::Program& program, PassContext& context) const;
+
+    std::shared_ptr<MediaBuffer> media_;
+    const MediaSettings& settings_;
+    gpu::Texture blue_noise_;
+    std::array<MediaPrograms, 3> programs_;  ///< by Way
+    Way way_ = Way::marched;                 ///< of the draws that are being made
+    const gpu::Buffer* list_ = nullptr;
+    MarchHistory history_;
+    ShadowMips shadow_mips_;
+    bool skips_dark_ = false;
+};
+
+}  // namespace tyndall::participating_media
