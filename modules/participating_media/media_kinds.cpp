@@ -22,13 +22,14 @@ void add_kinds(std::set<std::string>& kinds, const DensityField& density) {
 
 }  // namespace
 
-std::string media_kinds(const std::vector<Medium>& media, const ShadowKinds& shadows) {
+std::string media_kinds(const std::vector<Medium>& media, const LightKinds& lights) {
     std::set<std::string> kinds;
     for (const Medium& medium : media) add_kinds(kinds, medium.density);
-    if (shadows.marched) kinds.emplace("MEDIA_SHADOWS_MARCHED");
-    if (shadows.opacity) kinds.emplace("MEDIA_SHADOWS_OPACITY");
-    if (shadows.fourier) kinds.emplace("MEDIA_SHADOWS_FOURIER");
-    if (shadows.clipmap) kinds.emplace("MEDIA_SHADOWS_CLIPMAP");
+    if (lights.marched) kinds.emplace("MEDIA_SHADOWS_MARCHED");
+    if (lights.opacity) kinds.emplace("MEDIA_SHADOWS_OPACITY");
+    if (lights.fourier) kinds.emplace("MEDIA_SHADOWS_FOURIER");
+    if (lights.clipmap) kinds.emplace("MEDIA_SHADOWS_CLIPMAP");
+    if (lights.surface_glow) kinds.emplace("MEDIA_SURFACE_GLOW");
     std::string text;
     for (const std::string& kind : kinds) text += "#define " + kind + "\n";
     return text;

@@ -104,7 +104,8 @@ void MediaShadows::update(Frame& frame, const MediaBuffer& media, const MediaSet
     const UnevenMedia uneven = uneven_media(media.media(), frame.scene);
     closed_ = uneven.corners.size() < 8 * media.media().size();
     made_ = 0;
-    kinds_ = {.marched = !uneven.empty() && frame.scene.lights.size() > kMappedLights};
+    kinds_ = {.marched = !uneven.empty() && frame.scene.lights.size() > kMappedLights,
+              .surface_glow = settings.analytic.surface_glow && media.plan().uses(Solver::analytic)};
     wanted_.clear();
     Block block;
     if (!uneven.empty()) {

@@ -47,7 +47,7 @@ class MediaShadows {
     uint64_t media_version_ = 0;
     std::string media_key_, uploaded_;
     bool closed_ = true;  ///< some medium has a closed form
-    ShadowKinds kinds_;   ///< of this frame's lights
+    LightKinds kinds_;    ///< of this frame's lights
     int layers_ = 0;      ///< of a map
     int made_ = 0;
     gpu::Texture maps_, nothing_;

@@ -1,6 +1,13 @@
 // Provider of the indirect-light seam: what even fog around point lights sends onto surfaces (analytic/surface_glow.h).
-#include "participating_media/media.glsl"
+#include "participating_media/media_kinds.glsl"
 #include "render/shaders/seam_types.glsl"
+
+#ifndef MEDIA_SURFACE_GLOW
+IndirectLight participating_media_surface_glow(vec3 p, vec3 n, vec3 v, float roughness) {
+    return IndirectLight(vec3(0.0), vec3(0.0));
+}
+#else
+#include "participating_media/media.glsl"
 
 uniform int glow_lamp_count;
 uniform vec4 glow_lamps[32];        // xyz position in the world, w medium
@@ -34,3 +41,4 @@ IndirectLight participating_media_surface_glow(vec3 p, vec3 n, vec3 v, float rou
     }
     return light;
 }
+#endif
