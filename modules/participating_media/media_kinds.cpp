@@ -1,5 +1,6 @@
 #include "media_kinds.h"
 
+#include <algorithm>
 #include <set>
 
 namespace tyndall::participating_media {
@@ -20,6 +21,10 @@ void add_kinds(std::set<std::string>& kinds, const DensityField& density) {
     }
 }
 
+bool is_even(const Medium& medium) {
+    return std::holds_alternative<ConstantDensity>(medium.density);
+}
+
 }  // namespace
 
 std::string media_kinds(const std::vector<Medium>& media, const LightKinds& lights) {
@@ -30,6 +35,9 @@ std::string media_kinds(const std::vector<Medium>& media, const LightKinds& ligh
     if (lights.fourier) kinds.emplace("MEDIA_SHADOWS_FOURIER");
     if (lights.clipmap) kinds.emplace("MEDIA_SHADOWS_CLIPMAP");
     if (lights.surface_glow) kinds.emplace("MEDIA_SURFACE_GLOW");
+    if (media.empty()) kinds.emplace("NO_MEDIA");
+    if (media.size() == 1) kinds.emplace("ONE_MEDIUM");
+    if (std::ranges::all_of(media, is_even)) kinds.emplace("EVEN_MEDIA");
     std::string text;
     for (const std::string& kind : kinds) text += "#define " + kind + "\n";
     return text;

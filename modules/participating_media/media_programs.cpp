@@ -7,12 +7,9 @@
 
 namespace tyndall::participating_media {
 
-std::vector<std::string> media_defines(const MediaBuffer& media, std::optional<PhaseKind> phase) {
-    std::vector<std::string> defines;
-    if (phase) defines.push_back(fmt::format("PHASE_KIND {}", static_cast<int>(*phase)));
-    if (media.media().size() == 1) defines.emplace_back("ONE_MEDIUM");
-    if (media.even()) defines.emplace_back("EVEN_MEDIA");
-    return defines;
+std::vector<std::string> phase_defines(std::optional<PhaseKind> phase) {
+    if (!phase) return {};
+    return {fmt::format("PHASE_KIND {}", static_cast<int>(*phase))};
 }
 
 void bind_light_source(const gpu::Program& program, PassContext& context, const MediaBuffer& media, int light_steps) {
@@ -21,14 +18,14 @@ void bind_light_source(const gpu::Program& program, PassContext& context, const 
     program.texture("phase_tables", media.phase_tables(), {.filter = gpu::Filter::linear});
 }
 
-LightPrograms& MediaPrograms::of(const MediaBuffer& media, std::optional<PhaseKind> phase, std::array<int, 2> values) {
-    const Key key{phase, media.media().size() == 1, media.even(), values};
+LightPrograms& MediaPrograms::of(std::optional<PhaseKind> phase, std::array<int, 2> values) {
+    const Key key{phase, values};
     auto known = programs_.find(key);
     if (known == programs_.end()) {
         gpu::ProgramDesc desc = base_;
         for (size_t i = 0; i < numbers_.size(); ++i)
             desc.defines.push_back(fmt::format("{} {}", numbers_[i], values.at(i)));
-        for (std::string& define : media_defines(media, phase)) desc.defines.push_back(std::move(define));
+        for (std::string& define : phase_defines(phase)) desc.defines.push_back(std::move(define));
         known = programs_.try_emplace(key, std::move(desc)).first;
     }
     if (last_ != &known->second) known->second.begin();  // another variant's program is in use

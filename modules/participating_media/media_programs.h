@@ -14,13 +14,13 @@
 
 namespace tyndall::participating_media {
 
-/// ONE_MEDIUM and EVEN_MEDIA where they hold, and PHASE_KIND when the phase function is known.
-[[nodiscard]] std::vector<std::string> media_defines(const MediaBuffer& media, std::optional<PhaseKind> phase);
+/// PHASE_KIND when the phase function is known.
+[[nodiscard]] std::vector<std::string> phase_defines(std::optional<PhaseKind> phase);
 
 /// Sets what shaders/light_source.glsl declares, but for the light and the medium.
 void bind_light_source(const gpu::Program& program, PassContext& context, const MediaBuffer& media, int light_steps);
 
-/// A program's variants: by media_defines, and by numbers that the program has as defines of its own.
+/// A program's variants: by the phase function, and by numbers that the program has as defines of its own.
 class MediaPrograms {
  public:
     /// `base` is completed by the defines; `numbers` are the names of those that `of` is given.
@@ -30,13 +30,11 @@ class MediaPrograms {
     /// Before a pass's first light, and after any other program was used: nothing is in use.
     void begin() { last_ = nullptr; }
     /// `values`: at most two, as many as there are names.
-    [[nodiscard]] LightPrograms& of(const MediaBuffer& media, std::optional<PhaseKind> phase,
-                                    std::array<int, 2> values = {});
+    [[nodiscard]] LightPrograms& of(std::optional<PhaseKind> phase, std::array<int, 2> values = {});
 
  private:
     struct Key {
         std::optional<PhaseKind> phase;
-        bool one = false, even = false;
         std::array<int, 2> values{};
         auto operator<=>(const Key&) const = default;
     };

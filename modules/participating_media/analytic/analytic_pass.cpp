@@ -45,7 +45,7 @@ void AnalyticPass::draw(PassContext& context, const Term& term) {
     glScissor(rectangle.low.x, rectangle.low.y, rectangle.size.x, rectangle.size.y);
     const PhaseKind phase = media_->media()[term.medium].phase.kind;
     const gpu::Program& program =
-        programs_.of(*media_, phase, {settings_.analytic.nodes}).use(frame, term.light, [&](const gpu::Program& fresh) {
+        programs_.of(phase, {settings_.analytic.nodes}).use(frame, term.light, [&](const gpu::Program& fresh) {
             bind_light_source(fresh, context, *media_, settings_.light_steps);
             fresh.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
             fresh.set("farthest", kFarthest);

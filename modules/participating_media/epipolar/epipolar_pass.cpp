@@ -132,7 +132,7 @@ const gpu::Program& EpipolarPass::use(PassContext& context, Step step, const Ter
     Frame& frame = context.frame();
     const bool looks_at_media = step == Step::march || step == Step::unwarp;
     const PhaseKind phase = looks_at_media ? media_->media()[term.medium].phase.kind : PhaseKind{};
-    LightPrograms& variants = programs_.at(static_cast<size_t>(step)).of(*media_, phase, {settings_.epipolar.steps});
+    LightPrograms& variants = programs_.at(static_cast<size_t>(step)).of(phase, {settings_.epipolar.steps});
     variants.begin();
     const gpu::Program& program = variants.use(frame, term.light, [&](const gpu::Program& fresh) {
         if (looks_at_media) bind_light_source(fresh, context, *media_, settings_.light_steps);

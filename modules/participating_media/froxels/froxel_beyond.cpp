@@ -38,7 +38,7 @@ void FroxelBeyond::draw_light(PassContext& context, const MediaBuffer& media, co
     const std::vector<Term>& terms = media.plan().terms(Solver::froxels);
     const unsigned bits = media_bits(terms, Term::Source::light, light);
     if (bits == 0) return;
-    LightPrograms& programs = lights_.of(media, common_phase(media, terms));
+    LightPrograms& programs = lights_.of(common_phase(media, terms));
     programs.begin();
     const gpu::Program& program = programs.use(frame, light, [&](const gpu::Program& fresh) {
         frame.seams.bind(Seam::light_transmittance, fresh, context);
@@ -59,7 +59,7 @@ void FroxelBeyond::draw(PassContext& context, const MediaBuffer& media, const Fr
     if ((glowing | lit) == 0) return;
     const gpu::Program& program = frame.shaders.program({.name = "participating_media.froxels.beyond_glow",
                                                          .fragment = "participating_media/froxels/beyond_glow.frag",
-                                                         .defines = media_defines(media, common_phase(media, terms))});
+                                                         .defines = phase_defines(common_phase(media, terms))});
     program.use();
     bind_frame(program, frame);
     bind(program, context, media, volume, light_steps);

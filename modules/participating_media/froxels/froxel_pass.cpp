@@ -109,7 +109,7 @@ void FroxelPass::bind_samples(const gpu::Program& program, PassContext& context)
 }
 
 void FroxelPass::add_lights(PassContext& context) {
-    LightPrograms& programs = light_programs_.of(*media_, common_phase(*media_, terms()));
+    LightPrograms& programs = light_programs_.of(common_phase(*media_, terms()));
     programs.begin();
     for (size_t light = 0; light < context.frame().scene.lights.size(); ++light)
         if (const unsigned bits = media_bits(terms(), Term::Source::light, light); bits != 0)
@@ -136,7 +136,7 @@ void FroxelPass::add_glow(PassContext& context, Term::Source source) {
     if (bits == 0) return;
     const bool own = source == Term::Source::emission;
     const gpu::Program& program =
-        compute(context, own ? "emission" : "environment", media_defines(*media_, common_phase(*media_, terms())));
+        compute(context, own ? "emission" : "environment", phase_defines(common_phase(*media_, terms())));
     if (!own) media_->environment().bind(program);
     bind_samples(program, context);
     program.set(own ? "glowing_media" : "lit_media", bits);
@@ -144,7 +144,7 @@ void FroxelPass::add_glow(PassContext& context, Term::Source source) {
 }
 
 void FroxelPass::integrate(PassContext& context) {
-    const gpu::Program& program = compute(context, "integrate", media_defines(*media_, common_phase(*media_, terms())));
+    const gpu::Program& program = compute(context, "integrate", phase_defines(common_phase(*media_, terms())));
     volume_->bind_grid(program);
     media_->bind(program, settings_.light_steps);
     program.image("froxel_source", volume_->source[volume_->now], 0, false);

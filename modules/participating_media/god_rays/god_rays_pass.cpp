@@ -35,7 +35,7 @@ void GodRaysPass::execute(PassContext& context) {
 void GodRaysPass::draw_term(PassContext& context, const Term& term) {
     Frame& frame = context.frame();
     const PhaseKind phase = media_->media()[term.medium].phase.kind;
-    const gpu::Program& program = programs_.of(*media_, phase).use(frame, term.light, [&](const gpu::Program& fresh) {
+    const gpu::Program& program = programs_.of(phase).use(frame, term.light, [&](const gpu::Program& fresh) {
         bind_light_source(fresh, context, *media_, settings_.light_steps);
         fresh.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
     });

@@ -119,7 +119,7 @@ const gpu::Program& LightVolumesPass::use(PassContext& context, Step step, const
     // only the last step looks at the phase function
     const PhaseKind phase = step == Step::resolve ? media_->media()[term.medium].phase.kind : PhaseKind{};
     LightPrograms& variants =
-        programs_.at(static_cast<size_t>(step)).of(*media_, phase, {terms(), nodes(frame.scene.lights[term.light])});
+        programs_.at(static_cast<size_t>(step)).of(phase, {terms(), nodes(frame.scene.lights[term.light])});
     variants.begin();
     const gpu::Program& program = variants.use(frame, term.light, [&](const gpu::Program& fresh) {
         if (step != Step::faces) bind_light_source(fresh, context, *media_, settings_.light_steps);

@@ -120,12 +120,23 @@ void GatherPass::make_list(glm::ivec2 size) {
 }
 
 void GatherPass::upsample(PassContext& context) {
+    make_list(context.size());
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    if (terms_->alone())
+        terms_->spread(context, context.texture(found(settings_)), list_);
+    else
+        add_shares(context);
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+    terms_->march_listed(context, list_);
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void GatherPass::add_shares(PassContext& context) {
     static const gpu::ProgramDesc kShares{.name = "participating_media.shares",
                                           .compute = "participating_media/march/shares.comp",
                                           .defines = {"GUIDE_ONLY"}};
     constexpr std::array<std::string_view, 1> kTargets{"media_in_scatter"};
     const glm::ivec2 size = context.size();
-    make_list(size);
     const gpu::Program& program = context.frame().shaders.program(kShares);
     program.use();
     bind_frame(program, context.frame());
@@ -134,19 +145,14 @@ void GatherPass::upsample(PassContext& context) {
     program.image("media_in_scatter", context.texture("media_in_scatter"), 0, true);
     program.image("media_shares", context.texture("media_shares"), 0, true);
     program.block("UnknownPixels", list_);
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     glDispatchCompute(static_cast<GLuint>((size.x + 7) / 8), static_cast<GLuint>((size.y + 7) / 8), 1);
-    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
-                    GL_SHADER_STORAGE_BARRIER_BIT);
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     // what is added leaves the alpha alone: a distance
     context.bind_targets(kTargets, -1);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
     terms_->add_shares(context);
     glDisable(GL_BLEND);
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    terms_->march_listed(context, list_);
-    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 }  // namespace tyndall::participating_media

@@ -60,6 +60,7 @@ class GatherPass final : public Pass {
  private:
     void draw(PassContext& context, const gpu::ProgramDesc& desc);
     void upsample(PassContext& context);
+    void add_shares(PassContext& context);
     void make_list(glm::ivec2 size);
     std::shared_ptr<MediaBuffer> media_;
     std::shared_ptr<MarchTerms> terms_;

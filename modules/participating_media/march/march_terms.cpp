@@ -27,6 +27,10 @@ gpu::ProgramDesc MarchTerms::describe(Way way, const std::string& what) {
             return {.name = "participating_media." + what, .fragment = shader};
         case Way::guide_only:
             return {.name = "participating_media." + what + "_guide", .fragment = shader, .defines = {"GUIDE_ONLY"}};
+        case Way::spread:
+            return {.name = "participating_media." + what + "_spread",
+                    .compute = shader,
+                    .defines = {"GUIDE_ONLY", "SPREAD"}};
         case Way::listed:
             return {.name = "participating_media." + what + "_listed", .compute = shader, .defines = {"LISTED"}};
     }
@@ -38,6 +42,7 @@ MarchTerms::MarchTerms(std::shared_ptr<MediaBuffer> media, const MediaSettings& 
       settings_(settings),
       programs_{MediaPrograms(describe(Way::marched, "march"), {"SHADOW_MIPS"}),
                 MediaPrograms(describe(Way::guide_only, "march"), {"SHADOW_MIPS"}),
+                MediaPrograms(describe(Way::spread, "march"), {"SHADOW_MIPS"}),
                 MediaPrograms(describe(Way::listed, "march"), {"SHADOW_MIPS"})} {}
 
 void MarchTerms::march(PassContext& context) {
@@ -47,6 +52,17 @@ void MarchTerms::march(PassContext& context) {
 
 void MarchTerms::add_shares(PassContext& context) {
     draw(context, Way::guide_only);
+}
+
+bool MarchTerms::alone() const {
+    const std::vector<Term>& terms = media_->plan().terms(Solver::ray_marched);
+    return terms.size() == 1 && terms.front().source == Term::Source::light;
+}
+
+void MarchTerms::spread(PassContext& context, const gpu::Texture& marched, const gpu::Buffer& list) {
+    marched_ = &marched;
+    list_ = &list;
+    draw(context, Way::spread);
 }
 
 void MarchTerms::march_listed(PassContext& context, const gpu::Buffer& list) {
@@ -59,7 +75,8 @@ void MarchTerms::march_listed(PassContext& context, const gpu::Buffer& list) {
 void MarchTerms::draw(PassContext& context, Way way) {
     if (blue_noise_.name() == 0) blue_noise_ = make_blue_noise();
     way_ = way;
-    skips_dark_ = settings_.shadow_mips && way != Way::guide_only && shadow_mips_.update(context.frame());
+    skips_dark_ =
+        settings_.shadow_mips && way != Way::guide_only && way != Way::spread && shadow_mips_.update(context.frame());
     MediaPrograms& programs = programs_.at(static_cast<size_t>(way));
     programs.begin();
     for (const Term& term : media_->plan().terms(Solver::ray_marched)) {
@@ -72,7 +89,11 @@ void MarchTerms::draw(PassContext& context, Way way) {
     }
 }
 
-void MarchTerms::draw_or_dispatch() const {
+void MarchTerms::draw_or_dispatch(glm::ivec2 size) const {
+    if (way_ == Way::spread) {
+        glDispatchCompute(static_cast<GLuint>((size.x + 7) / 8), static_cast<GLuint>((size.y + 7) / 8), 1);
+        return;
+    }
     if (way_ != Way::listed) {
         gpu::draw_fullscreen();
         return;
@@ -90,17 +111,17 @@ void MarchTerms::draw_glow(PassContext& context, Term::Source source, int medium
     media_->bind(program, settings_.light_steps);
     bind(program, context);
     program.set("medium", medium);
-    draw_or_dispatch();
+    draw_or_dispatch(context.size());
 }
 
 void MarchTerms::draw_light(PassContext& context, size_t light, int medium) {
     Frame& frame = context.frame();
     const glm::ivec2 size = (context.size() + step() - 1) / step();
     const ScreenRectangle rectangle = light_rectangle(frame.scene.lights[light], frame.block.view_projection, size);
-    if (rectangle.empty()) return;
+    if (rectangle.empty() && way_ != Way::spread) return;  // spread writes every pixel
     const PhaseKind phase = media_->media()[static_cast<size_t>(medium)].phase.kind;
     const gpu::Program& program = programs_.at(static_cast<size_t>(way_))
-                                      .of(*media_, phase, {skips_dark_ ? 1 : 0})
+                                      .of(phase, {skips_dark_ ? 1 : 0})
                                       .use(frame, light, [&](const gpu::Program& fresh) {
                                           bind_light_source(fresh, context, *media_, settings_.light_steps);
                                           bind(fresh, context);
@@ -109,7 +130,7 @@ void MarchTerms::draw_light(PassContext& context, size_t light, int medium) {
     program.set("medium", medium);
     glEnable(GL_SCISSOR_TEST);
     glScissor(rectangle.low.x, rectangle.low.y, rectangle.size.x, rectangle.size.y);
-    draw_or_dispatch();
+    draw_or_dispatch(context.size());
     glDisable(GL_SCISSOR_TEST);
 }
 
@@ -124,10 +145,16 @@ int MarchTerms::steps() const {
 }
 
 void MarchTerms::bind(const gpu::Program& program, PassContext& context) const {
-    bind_ray(program, context, step());
+    bind_ray(program, context, way_ == Way::spread ? pixel_step(settings_.resolution) : step());
     program.set("least_transmittance", settings_.least_transmittance);
     if (way_ == Way::guide_only) {
         program.texture("media_shares", context.texture("media_shares"), {.filter = gpu::Filter::nearest});
+        return;
+    }
+    if (way_ == Way::spread) {
+        program.image("marched", *marched_, 0, false);
+        program.image("media_in_scatter", context.texture("media_in_scatter"), 0, true);
+        program.block("UnknownPixels", *list_);
         return;
     }
     if (way_ == Way::listed) {

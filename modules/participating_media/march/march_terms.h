@@ -27,6 +27,10 @@ class MarchTerms {
     void march(PassContext& context);
     /// Adds to each pixel of the bound frame the guide times the target "media_shares".
     void add_shares(PassContext& context);
+    /// One term alone is marched: spread() does for it what shaders/march/shares.comp and add_shares() do for several.
+    [[nodiscard]] bool alone() const;
+    /// Creates "media_in_scatter" from what was `marched` at a lower resolution, and the list of unknown pixels.
+    void spread(PassContext& context, const gpu::Texture& marched, const gpu::Buffer& list);
     /// Marches the pixels of the list that shares.comp made, and adds them to "media_in_scatter".
     void march_listed(PassContext& context, const gpu::Buffer& list);
     /// What of the last frames holds; only with "temporal".
@@ -36,10 +40,10 @@ class MarchTerms {
 
  private:
     /// main.glsl's.
-    enum class Way { marched, guide_only, listed };
+    enum class Way { marched, guide_only, spread, listed };
     static gpu::ProgramDesc describe(Way way, const std::string& what);
     void draw(PassContext& context, Way way);
-    void draw_or_dispatch() const;
+    void draw_or_dispatch(glm::ivec2 size) const;
     [[nodiscard]] int step() const;
     [[nodiscard]] int steps() const;
     void draw_light(PassContext& context, size_t light, int medium);
@@ -50,9 +54,10 @@ class MarchTerms {
     std::shared_ptr<MediaBuffer> media_;
     const MediaSettings& settings_;
     gpu::Texture blue_noise_;
-    std::array<MediaPrograms, 3> programs_;  ///< by Way
+    std::array<MediaPrograms, 4> programs_;  ///< by Way
     Way way_ = Way::marched;                 ///< of the draws that are being made
     const gpu::Buffer* list_ = nullptr;
+    const gpu::Texture* marched_ = nullptr;  ///< what is spread
     MarchHistory history_;
     ShadowMips shadow_mips_;
     bool skips_dark_ = false;

@@ -1,8 +1,8 @@
 // All media of the frame, and what they do along a straight line. Same structs in media_buffer.cpp.
 //
 // What only some media have stands in loops that others go through zero times: software renderers execute both sides of a
-// branch. A program that knows that there is one medium defines ONE_MEDIUM, and EVEN_MEDIA that no density varies: what
-// lies in a uniform block at a known place is much faster to read there.
+// branch. Of media_kinds.glsl's names ONE_MEDIUM says that there is one, NO_MEDIA that there is none, EVEN_MEDIA that no density
+// varies: what lies in a uniform block at a known place is much faster to read there.
 #include "participating_media/media_kinds.glsl"
 #include "physics/black_body.glsl"
 #include "physics/intersect.glsl"
@@ -39,8 +39,10 @@ layout(std140) uniform MediaBlobs {
     vec4 blob_centre_radius[64];  // in the medium's box
     vec4 blob_weight[64];         // x
 };
-#ifdef ONE_MEDIUM
+#if defined(ONE_MEDIUM)
 const int media_count = 1;
+#elif defined(NO_MEDIA)
+const int media_count = 0;
 #else
 uniform int media_count;
 #endif

@@ -1,7 +1,8 @@
 // The end of march.glsl, emission.glsl and environment.glsl: adds march_pixel() to where it belongs.
 //
 // A fragment shader at each marched pixel. GUIDE_ONLY: at each pixel of the frame, its guide times the share of it that was
-// marched near by. LISTED: a compute shader at the pixels that shares.comp could say nothing of.
+// marched near by; with SPREAD a compute shader that finds the share itself, for a term that is alone. LISTED: a compute
+// shader at the pixels that the shares say nothing of.
 #ifdef LISTED
 layout(local_size_x = 64) in;
 layout(std430) readonly buffer UnknownPixels { uint unknown_groups[3]; uint unknown_count; uint unknown_pixels[]; };
@@ -13,6 +14,19 @@ void main() {
     ivec2 pixel = ivec2(place & 0xffffu, place >> 16);
     vec4 before = imageLoad(media_in_scatter, pixel);
     imageStore(media_in_scatter, pixel, vec4(before.rgb + march_pixel(pixel, pixel).rgb, before.a));
+}
+#elif defined(SPREAD)
+#include "participating_media/march/shares.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba32f) writeonly uniform image2D media_in_scatter;
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, ivec2(frame.size_time.xy)))) return;
+    float depth = texelFetch(scene_depth, pixel, 0).r;
+    float metres = depth > 0.0 ? eye_distance(pixel_uv(pixel), depth) : farthest;
+    imageStore(media_in_scatter, pixel, vec4(share_of(pixel, depth) * march_pixel(pixel, pixel).a, metres));
 }
 #else
 #ifdef GUIDE_ONLY
