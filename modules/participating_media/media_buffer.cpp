@@ -177,6 +177,8 @@ void MediaBuffer::bind(const gpu::Program& program, int light_steps) const {
     program.block("MediaBlobs", blobs_);
     program.set("media_count", static_cast<int>(media_.size()));
     program.set("media_light_steps", light_steps);
+    const gpu::TextureDesc& grids = textures_.grids().desc();
+    program.set("media_grids_voxel", 1.0f / glm::vec3(grids.width, grids.height, grids.layers));
     program.texture("media_grids", textures_.grids(), {.filter = gpu::Filter::linear});
 }
 

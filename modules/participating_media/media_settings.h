@@ -188,7 +188,7 @@ struct MediaSettings {
     Resolution resolution = Resolution::full;
     int32_t steps = 12;
     int32_t light_steps = 8;
-    int32_t eye_steps = 32;
+    int32_t eye_steps = 24;
     bool jitter = true;
     bool filter = true;
     bool temporal = false;

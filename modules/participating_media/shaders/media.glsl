@@ -48,6 +48,7 @@ uniform int media_count;
 #endif
 uniform int media_light_steps;  // samples on the way through noise and grids
 uniform sampler3D media_grids;  // voxels of all grids, stacked along z
+uniform vec3 media_grids_voxel;  // 1 / its size
 // Where in their steps samples along a line are taken: solvers that average over pixels set it to noise.
 float media_sample_offset = 0.5;
 
@@ -72,7 +73,7 @@ bool clip_to_medium(int i, vec3 origin, vec3 direction, inout float t0, inout fl
 float grid_value(vec3 place, vec4 size) {
     bool inside = all(greaterThanEqual(place, vec3(0.0))) && all(lessThanEqual(place, vec3(1.0)));
     vec3 texel = clamp(place * size.xyz, vec3(0.5), size.xyz - 0.5) + vec3(0.0, 0.0, size.w);
-    return inside ? textureLod(media_grids, texel / vec3(textureSize(media_grids, 0)), 0.0).r : 0.0;
+    return inside ? textureLod(media_grids, texel * media_grids_voxel, 0.0).r : 0.0;
 }
 
 #ifndef EVEN_MEDIA
@@ -162,7 +163,7 @@ float closed_column(int i, vec3 origin, vec3 direction, float t0, float t1) {
     return column;
 }
 
-// The rest, taken `samples` times.
+// The rest, taken `samples` times, to where nothing more comes through (e^-12).
 float sampled_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) {
     float column = 0.0;
     int count = t0 < t1 && medium_uneven(i) ? samples : 0;
@@ -170,7 +171,9 @@ float sampled_column(int i, vec3 origin, vec3 direction, float t0, float t1, int
     mat4 field = media[i].field_from_world;
     vec3 place = (field * vec4(origin + direction * (t0 + media_sample_offset * step_m), 1.0)).xyz;
     vec3 place_step = mat3(field) * direction * step_m;
-    for (int s = 0; s < count; ++s) {
+    vec3 sigma_t = media[i].sigma_t.rgb;
+    float enough = 12.0 / max(min(sigma_t.r, min(sigma_t.g, sigma_t.b)), 1e-6);
+    for (int s = 0; s < count && column < enough; ++s) {
         vec3 p = origin + direction * (t0 + (float(s) + media_sample_offset) * step_m);
         float density = sampled_density(i, p, place + float(s) * place_step, step_m);
 #ifdef MEDIA_PRODUCTS
