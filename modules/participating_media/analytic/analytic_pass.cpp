@@ -44,14 +44,14 @@ void AnalyticPass::draw(PassContext& context, const Term& term) {
     if (rectangle.empty()) return;
     glScissor(rectangle.low.x, rectangle.low.y, rectangle.size.x, rectangle.size.y);
     const PhaseKind phase = media_->media()[term.medium].phase.kind;
-    const gpu::Program& program =
-        programs_.of(phase, {settings_.analytic.nodes}).use(frame, term.light, [&](const gpu::Program& fresh) {
-            bind_light_source(fresh, context, *media_, settings_.light_steps);
-            fresh.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
-            fresh.set("farthest", kFarthest);
-            const std::vector<glm::vec2> nodes = gauss_legendre(settings_.analytic.nodes);
-            for (size_t i = 0; i < nodes.size(); ++i) fresh.set(fmt::format("nodes[{}]", i), nodes[i]);
-        });
+    const gpu::Program& program = programs_.of(phase).use(frame, term.light, [&](const gpu::Program& fresh) {
+        bind_light_source(fresh, context, *media_, settings_.light_steps);
+        fresh.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
+        fresh.set("farthest", kFarthest);
+        const std::vector<glm::vec2> nodes = gauss_legendre(settings_.analytic.nodes);
+        fresh.set("node_count", settings_.analytic.nodes);
+        for (size_t i = 0; i < nodes.size(); ++i) fresh.set(fmt::format("nodes[{}]", i), nodes[i]);
+    });
     program.set("light_index", static_cast<unsigned>(term.light));
     program.set("medium", static_cast<int>(term.medium));
     gpu::draw_fullscreen();

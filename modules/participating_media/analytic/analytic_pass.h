@@ -33,8 +33,7 @@ class AnalyticPass final : public Pass {
     const MediaSettings& settings_;
     MediaPrograms programs_{{.name = "participating_media.analytic",
                              .fragment = "participating_media/analytic/analytic.frag",
-                             .defines = {"IGNORE_SHADOW_MAPS"}},
-                            {"NODES"}};
+                             .defines = {"IGNORE_SHADOW_MAPS"}}};
 };
 
 }  // namespace tyndall::participating_media

@@ -106,17 +106,18 @@ float sampled_density(int i, vec3 p, vec3 place, float spacing) {
 
 // Constant, blobs and height: what has a closed form along a line.
 float closed_density(int i, vec3 p) {
-    float density = 0.0;
-#ifdef MEDIA_CLOSED
-    density += media[i].emission_even.w;
+    float density = media[i].emission_even.w;
+#ifdef MEDIA_BLOBS
     vec3 local = medium_place(i, p);
     for (int b = int(media[i].blobs_height.x); b < int(media[i].blobs_height.y); ++b) {
         vec3 away = local - blob_centre_radius[b].xyz;
         float radius = blob_centre_radius[b].w;
         density += blob_weight[b].x * exp(-0.5 * dot(away, away) / (radius * radius));
     }
-    for (int k = 0; k < (media[i].blobs_height.w > 0.0 ? 1 : 0); ++k)
-        density += height_density(p.y, media[i].blobs_height.z, 1.0 / media[i].blobs_height.w);
+#endif
+#ifdef MEDIA_HEIGHT
+    float per_metre = media[i].blobs_height.w;
+    density += per_metre > 0.0 ? height_density(p.y, media[i].blobs_height.z, 1.0 / per_metre) : 0.0;
 #endif
     return density;
 }
@@ -147,20 +148,19 @@ bool medium_uneven(int i) {
 
 // Integral of the density along [t0, t1] inside medium i's box, metres: the part that has a closed form.
 float closed_column(int i, vec3 origin, vec3 direction, float t0, float t1) {
-    float column = 0.0;
-#ifdef MEDIA_CLOSED
     float ds = t1 - t0;
-    bool shared_out = media[i].shape.y > 0.0;  // mask and layer multiply: nothing has a closed form
-    column = shared_out ? 0.0 : media[i].emission_even.w * ds;
-    int end_of_blobs = shared_out ? 0 : int(media[i].blobs_height.y);
-    for (int b = int(media[i].blobs_height.x); b < end_of_blobs; ++b)
+    float column = media[i].emission_even.w * ds;
+#ifdef MEDIA_BLOBS
+    for (int b = int(media[i].blobs_height.x); b < int(media[i].blobs_height.y); ++b)
         column += blob_weight[b].x * gaussian_line_integral(medium_place(i, origin), mat3(media[i].box_from_world) * direction,
                                                             blob_centre_radius[b].xyz, blob_centre_radius[b].w, t0, t1);
-    for (int k = 0; k < (media[i].blobs_height.w > 0.0 && !shared_out ? 1 : 0); ++k)
-        column += height_fog_optical_depth(1.0, media[i].blobs_height.z, 1.0 / media[i].blobs_height.w, origin.y + t0 * direction.y,
-                                           origin.y + t1 * direction.y, ds);
 #endif
-    return column;
+#ifdef MEDIA_HEIGHT
+    float per_metre = media[i].blobs_height.w;
+    column += per_metre > 0.0 ? height_fog_optical_depth(1.0, media[i].blobs_height.z, 1.0 / per_metre, origin.y + t0 * direction.y,
+                                                         origin.y + t1 * direction.y, ds) : 0.0;
+#endif
+    return media[i].shape.y > 0.0 ? 0.0 : column;  // mask and layer multiply: nothing has a closed form
 }
 
 // The rest, taken `samples` times, to where nothing more comes through (e^-12).

@@ -1,6 +1,8 @@
 // What kinds of media there are. The module puts a text in this one's place that names only those of the frame
 // (media_kinds.h): code that is never run still costs software renderers registers and time.
 #define MEDIA_CLOSED
+#define MEDIA_BLOBS
+#define MEDIA_HEIGHT
 #define MEDIA_NOISE
 #define MEDIA_GRIDS
 #define MEDIA_RAMPS

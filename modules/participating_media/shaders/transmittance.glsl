@@ -12,7 +12,7 @@ vec3 participating_media_transmittance(uint light, vec3 p, vec3 n) {
 #else
     vec3 depth = vec3(0.0);
 #ifdef MEDIA_CLOSED
-    for (int k = 0; k < media_closed; ++k) depth += media_closed_depth(p, to_light, 0.0, metres);
+    depth += media_closed_depth(p, to_light, 0.0, metres);
 #endif
     return exp(-depth - light_uneven_depth(light, p, to_light, metres));
 #endif

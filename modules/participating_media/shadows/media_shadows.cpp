@@ -102,7 +102,6 @@ void MediaShadows::make_textures() {
 
 void MediaShadows::update(Frame& frame, const MediaBuffer& media, const MediaSettings& settings) {
     const UnevenMedia uneven = uneven_media(media.media(), frame.scene);
-    closed_ = uneven.corners.size() < 8 * media.media().size();
     made_ = 0;
     kinds_ = {.marched = !uneven.empty() && frame.scene.lights.size() > kMappedLights,
               .surface_glow = settings.analytic.surface_glow && media.plan().uses(Solver::analytic)};
@@ -174,7 +173,6 @@ void MediaShadows::bind(const gpu::Program& program, const MediaSettings& settin
     make_textures();
     program.block("MediaShadows", buffer_);
     program.texture("media_shadow_maps", maps_.name() != 0 ? maps_ : nothing_, {.filter = gpu::Filter::linear});
-    program.set("media_closed", closed_ ? 1 : 0);
     program.set("media_shadows_others", settings.light_steps);
     if (kinds_.clipmap)
         clipmap_.bind(program, settings.shadows);

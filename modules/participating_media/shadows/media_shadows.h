@@ -46,9 +46,8 @@ class MediaShadows {
     std::vector<Map> wanted_, made_maps_;  ///< one a light that has a map, in the texture's order
     uint64_t media_version_ = 0;
     std::string media_key_, uploaded_;
-    bool closed_ = true;  ///< some medium has a closed form
-    LightKinds kinds_;    ///< of this frame's lights
-    int layers_ = 0;      ///< of a map
+    LightKinds kinds_;  ///< of this frame's lights
+    int layers_ = 0;    ///< of a map
     int made_ = 0;
     gpu::Texture maps_, nothing_;
     gpu::Buffer buffer_;

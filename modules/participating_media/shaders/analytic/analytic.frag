@@ -6,7 +6,8 @@
 
 uniform sampler2D scene_depth;
 uniform float farthest;     // metres; rays that hit nothing end here
-uniform vec2 nodes[NODES];  // x in -1..1 and weight
+uniform vec2 nodes[64];  // x in -1..1 and weight
+uniform int node_count;  // not a constant: compilers would unroll all media into each node
 
 in vec2 uv;
 out vec4 in_scatter;  // rgb radiance, a unused
@@ -37,7 +38,7 @@ void main() {
     Passing passing = passing_of(light_position(light_index) - ray.origin, ray.direction);
     Span span = make_span(passing, t0, t1, optical_depth_of_way(ray, t1) - optical_depth_of_way(ray, t0));
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < NODES; ++i) {
+    for (int i = 0; i < node_count; ++i) {
         float metres;
         float t = from_parameter(span, passing, nodes[i].x, metres);
         sum += source(ray, t) * exp(-optical_depth_to_eye(ray, t)) * (nodes[i].y * metres);

@@ -15,7 +15,6 @@ struct MediaShadow {
 const int kMappedLights = 64;
 layout(std140) uniform MediaShadows { MediaShadow media_shadows[kMappedLights]; };
 uniform sampler3D media_shadow_maps;  // all lights' layers, stacked
-uniform int media_closed;             // 1 when there are media with a closed form along a line, otherwise 0
 uniform int media_shadows_others;     // samples of the direct march for lights beyond those
 
 // u, v of the map and the share of its depths, 0 before the media and 1 behind them.
