@@ -103,8 +103,9 @@ std::string read_vectors(const std::filesystem::path& path, const std::string& n
     const auto grid = file.grid<openvdb::Vec3SGrid>(name, "a grid of vectors of three floats");
     std::string bytes(like.values.size() * sizeof(glm::vec3), '\0');
     auto* to = reinterpret_cast<float*>(bytes.data());
+    const openvdb::Vec3SGrid::ConstAccessor accessor = grid->getConstAccessor();  // the sampler only refers to it
     const openvdb::tools::GridSampler<openvdb::Vec3SGrid::ConstAccessor, openvdb::tools::BoxSampler> sampler(
-        grid->getConstAccessor(), grid->transform());
+        accessor, grid->transform());
     for (int z = 0; z < like.size.z; ++z)
         for (int y = 0; y < like.size.y; ++y)
             for (int x = 0; x < like.size.x; ++x) {
