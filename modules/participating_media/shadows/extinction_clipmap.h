@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "geometry/bounds.h"
+#include "gpu/gpu.h"
+#include "gpu/shader_library.h"
 #include "media_buffer.h"
 #include "media_settings.h"
 #include "shadows/shadow_fit.h"
