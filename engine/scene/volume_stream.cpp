@@ -37,7 +37,8 @@ std::string frame_name(const VolumeSequence& sequence, int index) {
 namespace {
 
 std::string key_of(const VolumeSequence& sequence) {
-    return sequence.file + '\n' + sequence.grid.name + '\n' + std::to_string(sequence.first) + '\n' +
+    return sequence.file + '\n' + sequence.grid.name + '\n' + sequence.grid.velocity + '\n' +
+           std::to_string(sequence.grid.shutter_s) + '\n' + std::to_string(sequence.first) + '\n' +
            std::to_string(sequence.last);
 }
 
