@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "physics/half_space.h"
 #include "scene/scattering_components.h"
 
 namespace tyndall {
@@ -81,6 +82,8 @@ void describe(StructBuilder<InteriorComponent>& d) {
     d.field("roughness", &I::roughness, "Perceptual roughness of the boundary; 0 = smooth.").range(0.0, 1.0);
     d.field("priority", &I::priority, "Where interiors overlap, the highest is there and the others are not.")
         .range(-1000, 1000);
+    d.field("technique", &I::technique,
+            "What renders it in real time, by the names of the module translucency; auto chooses.");
 }
 
 ScatteringInterior make_interior(const InteriorComponent& from, AssetStore& assets, const VolumePlace& place) {
@@ -92,7 +95,22 @@ ScatteringInterior make_interior(const InteriorComponent& from, AssetStore& asse
     interior.eta = from.ior;
     interior.roughness = from.roughness;
     interior.priority = from.priority;
+    interior.technique = from.technique;
     return interior;
+}
+
+Material boundary_material(const ScatteringInterior& interior, const std::string& name) {
+    const glm::vec3 reduced = interior.sigma_s_per_m * (glm::vec3(1.0f) - mean_cosine(interior.phase));
+    const glm::vec3 extinction = glm::max(reduced + interior.sigma_a_per_m, glm::vec3(1e-6f));
+    Material material;
+    material.id = new_asset_id();
+    material.name = name;
+    material.base_colour =
+        glm::vec4(physics::HalfSpace(reduced / extinction, interior.eta).diffuse_leaving(), 1.0f);
+    material.roughness = interior.roughness;
+    material.ior = interior.eta;
+    material.specular = interior.eta > 1.0f ? 1.0f : 0.0f;
+    return material;
 }
 
 std::optional<ScatteringInterior> interior_of_material(const Material& material) {

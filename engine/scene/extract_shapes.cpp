@@ -115,6 +115,37 @@ class Materials {
     std::shared_ptr<const Material> plain_;
 };
 
+/// The boundaries of interiors that scatter, made again only when the inside changed.
+class Boundaries {
+ public:
+    /// The material that the surface is drawn with: its own where nothing scatters inside.
+    std::shared_ptr<const Material> of(const ExtractContext& context, const Surface& surface) {
+        if (!surface.interior || surface.interior->sigma_s_per_m == glm::vec3(0.0f)) return surface.material;
+        const Key key{surface.interior->sigma_s_per_m, surface.interior->sigma_a_per_m,
+                      mean_cosine(surface.interior->phase), surface.interior->eta, surface.interior->roughness};
+        drop_dead(entries_, context.world);
+        Entry& entry = entries_[key_of(context.entity)];
+        if (!entry.material || entry.key != key) {
+            entry.key = key;
+            entry.material = std::make_shared<const Material>(
+                boundary_material(*surface.interior, context.world.name(context.entity)));
+        }
+        return entry.material;
+    }
+
+ private:
+    struct Key {
+        glm::vec3 sigma_s{0.0f}, sigma_a{0.0f}, mean_cosine{0.0f};
+        float eta = 0.0f, roughness = 0.0f;
+        bool operator==(const Key&) const = default;
+    };
+    struct Entry {
+        Key key;
+        std::shared_ptr<const Material> material;
+    };
+    std::map<EntityKey, Entry> entries_;
+};
+
 /// Meshes that are made rather than loaded: primitives and subdivided files, once for each set of parameters.
 class MadeMeshes {
  public:
@@ -215,6 +246,7 @@ void check_interior(const ExtractContext& context, const InteriorComponent&, Ren
 /// What the extractors of shapes share.
 struct ShapeState {
     Materials materials;
+    Boundaries boundaries;
     MadeMeshes meshes;
     std::map<EntityKey, PlacedGltf> placed;
 
@@ -229,6 +261,7 @@ struct ShapeState {
         surface.casts_shadow = from.casts_shadow;
         surface.collides = collides(context.world, context.entity);
         surface.interior = interior_of(context, surface, scene.time_s);
+        surface.material = boundaries.of(context, surface);
         surface.entity = context.entity;
         scene.surfaces.push_back(std::move(surface));
     }
@@ -254,6 +287,7 @@ struct ShapeState {
                 surface.casts_shadow = place.casts_shadow[i];
                 surface.collides = walls;
                 surface.interior = interior_of(context, surface, scene.time_s);
+                surface.material = boundaries.of(context, surface);
                 surface.entity = context.entity;
                 scene.surfaces.push_back(std::move(surface));
             }

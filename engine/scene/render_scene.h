@@ -83,8 +83,9 @@ struct Material {
     TextureSlot specular_texture, specular_colour_texture, transmission_texture, thickness_texture;
 };
 
-/// What is inside a closed mesh, behind a dielectric boundary. A surface that has one is that boundary: its material's
-/// base is not drawn by solvers that know interiors. Coefficients are of the world's metres.
+/// What is inside a closed mesh, behind a dielectric boundary. A surface that has one is that boundary: where the
+/// inside scatters, its material is made from the interior and has for its base what a half-space returns of diffuse
+/// light. Solvers that know interiors do not draw the base. Coefficients are of the world's metres.
 struct ScatteringInterior {
     glm::vec3 sigma_s_per_m{0.0f};
     glm::vec3 sigma_a_per_m{0.0f};
@@ -94,6 +95,7 @@ struct ScatteringInterior {
     float eta = 1.3f;        ///< index of refraction; 1 = index-matched: light passes the boundary unbent
     float roughness = 0.0f;  ///< of the boundary, perceptual; 0 = smooth
     int priority = 0;        ///< where interiors overlap, the highest is there and the others are not
+    std::string technique = "auto";  ///< what the scene asks to render it with in real time, by a module's names
 };
 
 /// A mesh placed in the world.

@@ -162,12 +162,16 @@ struct InteriorComponent {
     float ior = 1.3f;
     float roughness = 0.0f;
     int32_t priority = 0;
+    std::string technique = "auto";
 };
 void describe(StructBuilder<InteriorComponent>& d);
 
 /// The interior of a mesh whose local bounds are the place's box. Throws Error when a file of it cannot be loaded.
 [[nodiscard]] ScatteringInterior make_interior(const InteriorComponent& from, AssetStore& assets,
                                                const VolumePlace& place);
+/// The boundary of an interior that scatters as a material: a dielectric layer over a base that returns as much of the
+/// light that enters as a half-space of what is inside does (physics/half_space.h).
+[[nodiscard]] Material boundary_material(const ScatteringInterior& interior, const std::string& name);
 /// What a glTF material with full transmission and a thickness says of its inside; none for others.
 [[nodiscard]] std::optional<ScatteringInterior> interior_of_material(const Material& material);
 

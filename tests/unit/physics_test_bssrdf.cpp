@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "physics/half_space.h"
 #include "physics_test.h"
 
 namespace tyndall::physics {
@@ -56,6 +57,35 @@ TEST(Bssrdf, FresnelMomentsAreTheIntegrals) {
     }
     measured("Fresnel moments, worst absolute error", worst);
     EXPECT_LT(worst, 0.01);
+}
+
+TEST(HalfSpace, ReturnsWhatPhotonsDo) {
+    double worst = 0.0;
+    for (const Solid& solid : kSolids) {
+        const HalfSpace returns(diffusion_of(solid).albedo_reduced, solid.eta);
+        const double found = (1.0 - double(f0_from_eta(solid.eta))) * double(returns.leaving(1.0f).x);
+        worst = std::max(worst, std::abs(found - solid.exact));
+    }
+    // traced at 60 degrees (docs/half_space_albedo.md): potato, marble, red and blue of skin 1
+    constexpr std::array<std::array<double, 3>, 4> kSlanted{
+        {{0.99648, 1.3, 0.7473}, {0.99904, 1.5, 0.7661}, {0.95855, 1.3, 0.4425}, {0.67785, 1.3, 0.1228}}};
+    for (const auto& [albedo, eta, traced] : kSlanted) {
+        const HalfSpace returns{vec3(float(albedo)), float(eta)};
+        const double inside = std::sqrt(1.0 - 0.75 / (eta * eta));
+        const double found = (1.0 - double(fresnel_dielectric(0.5f, float(eta)))) *
+                             double(returns.leaving(float(inside)).x);
+        worst = std::max(worst, std::abs(found - traced));
+    }
+    measured("share of light that leaves, worst absolute error", worst);
+    EXPECT_LT(worst, 0.004);
+}
+
+TEST(HalfSpace, WithoutABoundaryItIsChandrasekhars) {
+    // 1 - H(mu) sqrt(1 - a), H of the isotropic solid: Chandrasekhar's table XI
+    const HalfSpace returns(vec3(0.9f), 1.0f);
+    EXPECT_NEAR(returns.leaving(1.0f).x, 1.0 - 1.9020 * std::sqrt(0.1), 1e-3);
+    const HalfSpace white(vec3(1.0f), 1.4f);
+    EXPECT_NEAR(white.leaving(0.8f).x, 1.0f, 2e-3f) << "nothing is lost where nothing absorbs";
 }
 
 TEST(Bssrdf, StandardDipoleReturnsWhatItIsKnownToReturn) {

@@ -1,0 +1,62 @@
+#include "interior_block.h"
+
+#include <cmath>
+
+#include "physics/physics.h"
+
+namespace tyndall::translucency {
+namespace {
+
+/// Light begins to spread where it first collides. What leaves again has collided nearer than the mean: of the places
+/// tried, half the mean free path is nearest to traced spheres.
+constexpr float kFirstPath = 0.5f;
+
+InteriorBlock block_of(const InteriorKey& key) {
+    const Optics& optics = key.optics;
+    const bool exact = key.scaling == Scaling::exact;
+    const glm::vec3 endless = optics.albedo();
+    const physics::HalfSpace body(exact ? body_albedo(optics, key.body_radius) : endless, optics.eta);
+    InteriorBlock block{};
+    for (size_t i = 0; i < physics::HalfSpace::kCosines; ++i) {
+        block.leaving[i] = glm::vec4(body.table()[i], 0.0f);
+        block.deep[i] = glm::vec4(body.deep()[i], 0.0f);
+    }
+    block.mean_leaving = glm::vec4(body.diffuse_leaving(), 0.0f);
+    const bool bends = optics.eta > 1.0f;
+    block.base_entering = glm::vec4(physics::HalfSpace(endless, optics.eta).diffuse_leaving(),
+                                    bends ? physics::diffuse_transmission(1.0f / optics.eta) : 1.0f);
+    const glm::vec3 extinction = optics.sigma_s_reduced + optics.sigma_a;
+    const float path = 3.0f / (extinction.x + extinction.y + extinction.z);
+    block.boundary = glm::vec4(optics.eta, bends ? 1.0f : 0.0f, kFirstPath * path / optics.eta, exact ? 1.0f : 0.0f);
+    return block;
+}
+
+}  // namespace
+
+glm::vec3 body_albedo(const Optics& optics, float body_radius) {
+    const glm::vec3 albedo = optics.albedo();
+    if (!(body_radius > 0.0f)) return albedo;
+    const glm::vec3 x = body_radius * glm::sqrt(3.0f * optics.sigma_a * (optics.sigma_s_reduced + optics.sigma_a));
+    glm::vec3 taken;
+    for (int i = 0; i < 3; ++i) taken[i] = x[i] < 1e-2f ? x[i] / 3.0f : 1.0f / std::tanh(x[i]) - 1.0f / x[i];
+    return 1.0f - (1.0f - albedo) * taken * taken;
+}
+
+bool InteriorBuffers::update(const InteriorKey& key) {
+    if (block_.name() != 0 && key == key_) return false;
+    key_ = key;
+    const RadialKernel kernel(key.optics, key.model, key.scaling, key.piece_radius);
+    const InteriorBlock block = block_of(key);
+    block_ = gpu::Buffer(sizeof block, &block, "translucency.interior");
+    kernel_ = gpu::Buffer(std::span<const glm::vec4>(kernel.table()), "translucency.kernel");
+    low_bits_ = kernel.low_bits();
+    return true;
+}
+
+void InteriorBuffers::bind(const gpu::Program& program) const {
+    program.block("Interior", block_);
+    program.block("Kernel", kernel_);
+    program.set("kernel_low_bits", low_bits_);
+}
+
+}  // namespace tyndall::translucency

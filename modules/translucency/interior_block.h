@@ -1,0 +1,47 @@
+#pragma once
+/// What the shaders know of an interior.
+
+#include "gpu/gpu.h"
+#include "radial_kernel.h"
+
+namespace tyndall::translucency {
+
+/// The uniform block "Interior" of shaders/interior.glsl: keep both the same.
+struct InteriorBlock {
+    glm::vec4 leaving[physics::HalfSpace::kCosines];  ///< share of what entered that leaves, by the cosine inside
+    glm::vec4 deep[physics::HalfSpace::kCosines];     ///< pattern of light from deep inside, by the cosine inside
+    glm::vec4 mean_leaving;                           ///< share of diffuse light that has entered that leaves
+    glm::vec4 base_entering;  ///< rgb base of the boundary's material; w share of diffuse light that enters
+    glm::vec4 boundary;       ///< x index of refraction; y weight of the mirror; z metres to the first collision; w 1 when
+                              ///< as much leaves as is exact, 0 when the model decides
+};
+
+/// All that an interior's GPU copy is made from.
+struct InteriorKey {
+    Optics optics;
+    Model model{};
+    Scaling scaling{};
+    float piece_radius = 0.0f;  ///< metres
+    float body_radius = 0.0f;   ///< metres: 3 times the volume over the surface, a sphere's radius; 0 = endless
+    bool operator==(const InteriorKey&) const = default;
+};
+
+/// The albedo of a half-space that absorbs as much of the light that enters as a body of the size does. In diffusion a
+/// sphere of radius R takes up coth(k R) - 1 / (k R) of what flat ground does at the same fluence (k = sigma_tr); for a
+/// weak absorption that is volume over surface, whatever the shape (Blanco & Fournier 2003).
+[[nodiscard]] glm::vec3 body_albedo(const Optics& optics, float body_radius);
+
+/// An interior on the GPU: the block, and the kernel's table.
+class InteriorBuffers {
+ public:
+    /// True when they were made anew since something changed.
+    bool update(const InteriorKey& key);
+    void bind(const gpu::Program& program) const;
+
+ private:
+    InteriorKey key_;
+    gpu::Buffer block_, kernel_;
+    uint32_t low_bits_ = 0;
+};
+
+}  // namespace tyndall::translucency

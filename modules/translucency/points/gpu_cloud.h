@@ -1,0 +1,37 @@
+#pragma once
+/// A point cloud on the GPU, and the light of one object's points.
+
+#include <cstdint>
+
+#include "gpu/gpu.h"
+#include "interior_block.h"
+#include "points/point_cloud.h"
+
+namespace tyndall::translucency {
+
+/// What objects that share a mesh share.
+struct GpuCloud {
+    explicit GpuCloud(const PointCloud& cloud);
+
+    uint32_t points = 0, nodes = 0;
+    int levels = 0;
+    float spacing = 0.0f;  ///< of the mesh's space, as `radius`
+    float radius = 0.0f;
+    int index_count = 0;
+    gpu::Buffer pieces, lists, list_begins, vertices, indices;
+    [[nodiscard]] size_t bytes() const;
+    [[nodiscard]] uint32_t first(int level) const { return 2 * points - (2 * points >> uint32_t(level)); }
+};
+
+/// What each object has of its own.
+struct GpuObject {
+    explicit GpuObject(const GpuCloud& cloud);
+
+    gpu::Buffer node_places, node_fluxes, point_scales, point_light;
+    InteriorBuffers interior;
+    [[nodiscard]] size_t bytes() const {
+        return node_places.size() + node_fluxes.size() + point_scales.size() + point_light.size();
+    }
+};
+
+}  // namespace tyndall::translucency

@@ -1,0 +1,226 @@
+#include "points/points_pass.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "core/log.h"
+#include "render/draw_state.h"
+#include "render/frame.h"
+#include "render/seams.h"
+
+namespace tyndall::translucency {
+namespace {
+
+constexpr uint64_t kKeptFrames = 120;
+constexpr int kBalanceRounds = 6;
+constexpr uint32_t kGroup = PointCloud::kCluster;
+
+const gpu::Program& compute(PassContext& context, std::string_view shader, std::vector<std::string> defines = {}) {
+    const gpu::Program& program =
+        context.frame().shaders.program({.name = fmt::format("translucency.points.{}", shader),
+                                         .compute = fmt::format("translucency/points/{}.comp", shader),
+                                         .defines = std::move(defines)});
+    program.use();
+    bind_frame(program, context.frame());
+    return program;
+}
+
+void dispatch(uint32_t threads) {
+    glDispatchCompute((threads + kGroup - 1) / kGroup, 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+/// Cofactors: they turn an area's vector as the matrix turns its sides.
+glm::mat3 area_matrix(const glm::mat4& transform) {
+    const glm::mat3 m(transform);
+    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
+
+void bind_points(const gpu::Program& program, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
+    program.block("NodePlaces", object.node_places);
+    program.block("NodeFluxes", object.node_fluxes);
+    program.block("PointScales", object.point_scales);
+    program.block("Pieces", cloud.pieces);
+    program.block("Lists", cloud.lists);
+    program.block("ListBegins", cloud.list_begins);
+    object.interior.bind(program);
+    program.set("point_count", cloud.points);
+    program.set("world_from_local", surface.transform);
+    const glm::mat3 areas = area_matrix(surface.transform);
+    program.set("areas_from_local", glm::determinant(glm::mat3(surface.transform)) < 0.0f ? -areas : areas);
+}
+
+}  // namespace
+
+PointsPass::PointsPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings& settings)
+    : plan_(std::move(plan)),
+      settings_(settings),
+      light_programs_({.name = "translucency.points.light", .compute = "translucency/points/light.comp"}) {}
+
+PointsPass::~PointsPass() {
+    if (vertex_array_ != 0) glDeleteVertexArrays(1, &vertex_array_);
+}
+
+void PointsPass::declare(PassDeclaration& declaration) {
+    declaration.stage(Stage::diffusion)
+        .reads("scene_depth", "where the surfaces are seen")
+        .reads("gbuffer_normal", "toward the eye")
+        .updates("light_diffuse", "light that leaves translucent surfaces in place of what arrives there");
+}
+
+void PointsPass::execute(PassContext& context) {
+    ++frame_;
+    if (settings_.enabled)
+        for (const size_t index : plan_->surfaces(context.frame().scene, Technique::points)) {
+            const Surface& surface = context.frame().scene.surfaces[index];
+            const GpuCloud& cloud = cloud_of(surface);
+            if (cloud.points == 0) continue;
+            Object& object = object_of(surface, cloud);
+            if (!object.balanced) balance(context, surface, cloud, *object.gpu);
+            object.balanced = true;
+            light(context, surface, cloud, *object.gpu);
+            sum(context, surface, cloud, *object.gpu);
+            gather(context, surface, cloud, *object.gpu);
+            draw(context, surface, cloud, *object.gpu);
+        }
+    forget_unused();
+}
+
+const GpuCloud& PointsPass::cloud_of(const Surface& surface) {
+    Cloud& cloud = clouds_[surface.mesh->id];
+    cloud.last_used = frame_;
+    const PointsSettings& wanted = settings_.points;
+    if (!cloud.gpu || cloud.levels != wanted.levels || cloud.opening != wanted.opening) {
+        const auto begun = std::chrono::steady_clock::now();
+        const PointCloud made = make_point_cloud(surface.mesh->mesh, wanted.levels, wanted.opening);
+        cloud.gpu = std::make_unique<GpuCloud>(made);
+        cloud.levels = wanted.levels;
+        cloud.opening = wanted.opening;
+        log::info("translucency: {}: {} points, {} to gather from on average, {:.1f} MB, {:.2f} s", surface.mesh->name,
+                  made.points.size(),
+                  made.points.empty() ? 0 : made.lists.size() * PointCloud::kCluster / made.points.size(),
+                  double(cloud.gpu->bytes()) / 1048576.0, std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
+    }
+    return *cloud.gpu;
+}
+
+PointsPass::Object& PointsPass::object_of(const Surface& surface, const GpuCloud& cloud) {
+    const uint64_t entity = uint64_t(surface.entity.index) << 32u | surface.entity.generation;
+    Object& object = objects_[{entity, surface.mesh->id}];
+    object.last_used = frame_;
+    if (!object.gpu || object.cloud != &cloud) {
+        object.gpu = std::make_unique<GpuObject>(cloud);
+        object.cloud = &cloud;
+    }
+    const float scale = std::cbrt(std::abs(glm::determinant(glm::mat3(surface.transform))));
+    const float radius = std::max(cloud.spacing * scale, 1e-9f) / std::sqrt(std::numbers::pi_v<float>);
+    if (object.gpu->interior.update({optics_of(*surface.interior), settings_.model, settings_.scaling, radius,
+                                     cloud.radius * scale}))
+        object.balanced = false;
+    return object;
+}
+
+void PointsPass::forget_unused() {
+    const auto old = [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; };
+    std::erase_if(objects_, old);
+    std::erase_if(clouds_, old);
+}
+
+void PointsPass::balance(PassContext& context, const Surface& surface, const GpuCloud& cloud,
+                         const GpuObject& object) {
+    const gpu::Program& begin = compute(context, "balance", {"BEGIN"});
+    bind_points(begin, surface, cloud, object);
+    dispatch(cloud.points);
+    for (int round = 0; settings_.scaling == Scaling::exact && round < kBalanceRounds; ++round) {
+        const gpu::Program& flux = compute(context, "balance", {"FLUX"});
+        bind_points(flux, surface, cloud, object);
+        dispatch(cloud.points);
+        sum(context, surface, cloud, object);
+        const gpu::Program& step = compute(context, "balance");
+        bind_points(step, surface, cloud, object);
+        dispatch(cloud.points);
+    }
+}
+
+/// What arrives at the points, from the lights and from all around.
+void PointsPass::light(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
+    Frame& frame = context.frame();
+    const gpu::Program& place = compute(context, "place");
+    frame.seams.bind(Seam::indirect_light, place, context);
+    bind_points(place, surface, cloud, object);
+    dispatch(cloud.points);
+    light_programs_.begin();
+    for (size_t i = 0; i < frame.scene.lights.size(); ++i) {
+        const gpu::Program& program = light_programs_.use(frame, i, [&](const gpu::Program& fresh) {
+            frame.seams.bind(Seam::light_transmittance, fresh, context);
+            bind_points(fresh, surface, cloud, object);
+        });
+        program.set("light_index", unsigned(i));
+        dispatch(cloud.points);
+    }
+}
+
+void PointsPass::sum(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
+    const gpu::Program& program = compute(context, "sum");
+    bind_points(program, surface, cloud, object);
+    for (int level = 0; level < cloud.levels; level += 3) {
+        const int levels = std::min(3, cloud.levels - level);
+        const uint32_t nodes = cloud.points >> uint32_t(level + levels);
+        for (int i = 0; i <= levels; ++i) program.set(fmt::format("level_begins[{}]", i), cloud.first(level + i));
+        program.set("eighths", nodes);
+        program.set("levels", unsigned(levels));
+        dispatch(nodes);
+    }
+}
+
+void PointsPass::gather(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
+    const gpu::Program& program = compute(context, "gather");
+    bind_points(program, surface, cloud, object);
+    program.block("PointLight", object.point_light);
+    dispatch(cloud.points);
+}
+
+void PointsPass::draw(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
+    static const gpu::ProgramDesc kDesc{.name = "translucency.points.surface",
+                                        .vertex = "translucency/points/surface.vert",
+                                        .fragment = "translucency/points/surface.frag"};
+    if (vertex_array_ == 0) {
+        glCreateVertexArrays(1, &vertex_array_);
+        for (GLuint i = 0; i < 3; ++i) {
+            glEnableVertexArrayAttrib(vertex_array_, i);
+            glVertexArrayAttribBinding(vertex_array_, i, 0);
+        }
+        glVertexArrayAttribFormat(vertex_array_, 0, 3, GL_FLOAT, GL_FALSE, offsetof(PointCloud::Vertex, position));
+        glVertexArrayAttribIFormat(vertex_array_, 1, 2, GL_UNSIGNED_INT, offsetof(PointCloud::Vertex, points));
+        glVertexArrayAttribFormat(vertex_array_, 2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(PointCloud::Vertex, weights));
+    }
+    glVertexArrayVertexBuffer(vertex_array_, 0, cloud.vertices.name(), 0, sizeof(PointCloud::Vertex));
+    glVertexArrayElementBuffer(vertex_array_, cloud.indices.name());
+    context.bind_targets();
+    Frame& frame = context.frame();
+    const gpu::Program& program = frame.shaders.program(kDesc);
+    program.use();
+    bind_frame(program, frame);
+    object.interior.bind(program);
+    table_.bind(program);
+    for (const char* target : {"scene_depth", "gbuffer_normal"})
+        program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
+    program.block("PointLight", object.point_light);
+    program.set("world_from_local", surface.transform);
+    program.set("clip_from_world", frame.block.view_projection);
+    const DrawState state(DepthState::off, BlendState::attenuate_add);
+    const bool mirrored = glm::determinant(glm::mat3(surface.transform)) < 0.0f;
+    glEnable(GL_CULL_FACE);
+    glFrontFace(mirrored ? GL_CW : GL_CCW);
+    glBindVertexArray(vertex_array_);
+    glDrawElements(GL_TRIANGLES, cloud.index_count, GL_UNSIGNED_INT, nullptr);
+    glDisable(GL_CULL_FACE);
+    glFrontFace(GL_CCW);
+}
+
+}  // namespace tyndall::translucency

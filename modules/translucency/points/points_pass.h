@@ -1,0 +1,65 @@
+#pragma once
+/// The technique points: every point of the surface gathers, in every frame, from all the others.
+
+#include <map>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+
+#include "points/gpu_cloud.h"
+#include "render/frame_graph.h"
+#include "render/light_programs.h"
+#include "render/specular_table.h"
+#include "translucency_settings.h"
+#include "translucent_surfaces.h"
+
+namespace tyndall::translucency {
+
+class PointsPass final : public Pass {
+ public:
+    PointsPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings& settings);
+    ~PointsPass() override;
+    PointsPass(const PointsPass&) = delete;
+    PointsPass& operator=(const PointsPass&) = delete;
+
+    [[nodiscard]] std::string_view name() const override { return "translucency.points"; }
+    void declare(PassDeclaration& declaration) override;
+    void execute(PassContext& context) override;
+
+ private:
+    /// Clouds by mesh and their settings.
+    struct Cloud {
+        std::unique_ptr<GpuCloud> gpu;
+        uint64_t last_used = 0;
+        int levels = 0;
+        float opening = 0.0f;
+    };
+    /// Objects by entity and mesh.
+    struct Object {
+        std::unique_ptr<GpuObject> gpu;
+        const GpuCloud* cloud = nullptr;
+        uint64_t last_used = 0;
+        bool balanced = false;
+    };
+    using ObjectKey = std::pair<uint64_t, uint64_t>;
+
+    const GpuCloud& cloud_of(const Surface& surface);
+    Object& object_of(const Surface& surface, const GpuCloud& cloud);
+    void forget_unused();
+    void balance(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
+    void light(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
+    void sum(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
+    void gather(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
+    void draw(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
+
+    std::shared_ptr<TechniquePlan> plan_;
+    const TranslucencySettings& settings_;
+    std::unordered_map<uint64_t, Cloud> clouds_;
+    std::map<ObjectKey, Object> objects_;
+    LightPrograms light_programs_;
+    SpecularTableTexture table_;
+    unsigned int vertex_array_ = 0;
+    uint64_t frame_ = 0;
+};
+
+}  // namespace tyndall::translucency

@@ -1,0 +1,46 @@
+// What is inside a translucent solid: InteriorBlock of interior_block.h.
+#include "physics/constants.glsl"
+#include "physics/fresnel.glsl"
+
+const int kLeavingCosines = 16;
+layout(std140) uniform Interior {
+    vec4 leaving[kLeavingCosines];
+    vec4 deep[kLeavingCosines];
+    vec4 mean_leaving;
+    vec4 base_entering;
+    vec4 boundary;
+} interior;
+
+float interior_eta() { return interior.boundary.x; }
+/// Of diffuse light: the share that enters, and that leaves of what entered.
+float mean_entering() { return interior.base_entering.w; }
+vec3 mean_leaving() { return interior.boundary.w > 0.0 ? interior.mean_leaving.rgb : vec3(1.0); }
+
+/// Share of irradiance (on a plane that faces the light) that enters a unit of area, at a cosine 0..1 to its normal.
+float entering(float cosine) { return cosine * (1.0 - fresnel_dielectric(cosine, interior_eta())); }
+
+float cosine_inside(float cosine) {
+    return sqrt(max(1.0 - (1.0 - cosine * cosine) / (interior_eta() * interior_eta()), 0.0));
+}
+vec3 leaving_at(float cosine) {
+    float x = cosine_inside(cosine) * float(kLeavingCosines - 1);
+    int i = min(int(x), kLeavingCosines - 2);
+    return mix(interior.leaving[i].rgb, interior.leaving[i + 1].rgb, x - float(i));
+}
+/// Share of what entered at this cosine that leaves somewhere; 1 where the kernel says itself how much that is.
+vec3 leaving_share(float cosine) { return interior.boundary.w > 0.0 ? leaving_at(cosine) : vec3(1.0); }
+/// Radiance toward a cosine, over the mean that an exitance of pi stands for, of light that entered near by: by
+/// reciprocity it leaves as what enters from there would.
+vec3 leaving_pattern(float cosine) {
+    return (1.0 - fresnel_dielectric(cosine, interior_eta())) / mean_entering() * leaving_at(cosine) /
+           max(interior.mean_leaving.rgb, vec3(1e-6));
+}
+/// The same of light that has come from far through the inside: the limb is darker.
+vec3 deep_pattern(float cosine) {
+    float x = cosine_inside(cosine) * float(kLeavingCosines - 1);
+    int i = min(int(x), kLeavingCosines - 2);
+    return (1.0 - fresnel_dielectric(cosine, interior_eta())) / mean_entering() *
+           mix(interior.deep[i].rgb, interior.deep[i + 1].rgb, x - float(i));
+}
+/// Metres along the surface that refracted light goes before it first collides, over the sine outside.
+float first_path() { return interior.boundary.z; }

@@ -1,0 +1,29 @@
+// A cloud of points (points/point_cloud.h) and its light, as the passes keep them. Nodes: the points, then the tree's
+// levels.
+#include "translucency/interior.glsl"
+
+layout(local_size_x = 32) in;
+
+layout(std430) readonly buffer Pieces { vec4 pieces[]; };  // two a point: place, area; normal. Of the mesh's own space
+layout(std430) buffer NodePlaces { vec4 node_places[]; };  // world, the middle of the light that entered; of points w: luminance of what entered
+layout(std430) buffer NodeFluxes { vec4 node_fluxes[]; };  // rgb flux that has entered and leaves somewhere, lm; of points w: that arrived
+layout(std430) buffer PointScales { vec4 point_scales[]; };  // rgb what the kernel is multiplied by at both ends (balance.comp)
+uniform uint point_count;
+uniform mat4 world_from_local;
+uniform mat3 areas_from_local;  // cofactors: they turn an area's vector as the matrix turns its sides
+
+/// The piece of surface that a point stands for, in the world.
+struct Piece {
+    vec3 place;
+    vec3 normal;
+    float area;  // m2
+};
+
+Piece piece_at(uint point) {
+    vec4 place_area = pieces[2u * point];
+    vec3 turned = areas_from_local * pieces[2u * point + 1u].xyz;
+    float scale = length(turned);
+    return Piece((world_from_local * vec4(place_area.xyz, 1.0)).xyz, turned / max(scale, 1e-20), place_area.w * scale);
+}
+
+float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }

@@ -1,0 +1,26 @@
+// Adds one light to the points.
+#include "translucency/points/cloud.glsl"
+#include "render/shaders/lights.glsl"
+#include "seams/light_transmittance.glsl"
+
+uniform uint light_index;
+
+void main() {
+    uint point = gl_GlobalInvocationID.x;
+    if (point >= point_count) return;
+    Piece piece = piece_at(point);
+    vec3 to_light;
+    vec3 irradiance = light_irradiance(light_index, piece.place, to_light);
+    float cosine = clamp(dot(piece.normal, to_light), 0.0, 1.0);
+    if (cosine <= 0.0 || irradiance == vec3(0.0)) return;
+    irradiance *= light_transmittance(light_index, piece.place, piece.normal);
+    float share = entering(cosine);
+    vec3 leaving = irradiance * point_scales[point].rgb * leaving_share(cosine);
+    float entered = share * luminance(irradiance);
+    // it begins to spread where it first collides
+    vec3 collides = piece.place - (to_light - cosine * piece.normal) * first_path();
+    vec4 place = node_places[point];
+    place.xyz = mix(place.xyz, collides, entered / max(place.w + entered, 1e-30));
+    node_places[point] = vec4(place.xyz, place.w + entered);
+    node_fluxes[point] += vec4(leaving * (share * piece.area), cosine * luminance(irradiance));
+}

@@ -1,0 +1,15 @@
+// Begins the points' light with what comes from all around.
+#include "translucency/points/cloud.glsl"
+#include "render/shaders/frame.glsl"
+#include "seams/indirect_light.glsl"
+
+void main() {
+    uint point = gl_GlobalInvocationID.x;
+    if (point >= point_count) return;
+    Piece piece = piece_at(point);
+    vec3 irradiance = indirect_light(piece.place, piece.normal, piece.normal, 1.0).irradiance;
+    float share = mean_entering();
+    vec3 leaving = irradiance * point_scales[point].rgb * mean_leaving();
+    node_fluxes[point] = vec4(leaving * (share * piece.area), luminance(irradiance));
+    node_places[point] = vec4(piece.place, share * luminance(irradiance));
+}

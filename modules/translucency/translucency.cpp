@@ -1,0 +1,20 @@
+// The module: what it registers.
+
+#include "module/module.h"
+#include "points/points_pass.h"
+
+namespace tyndall::translucency {
+
+class Translucency final : public Module {
+ public:
+    void install(Registrar& registrar) override {
+        const TranslucencySettings& settings = registrar.settings<TranslucencySettings>();
+        const auto plan = std::make_shared<TechniquePlan>();
+        registrar.pass(std::make_unique<PointsPass>(plan, settings));
+    }
+};
+
+}  // namespace tyndall::translucency
+
+TYNDALL_MODULE(tyndall::translucency::Translucency, "0.1",
+               "Marble, wax, milk: light that enters a solid in one place and leaves it in another.", "")
