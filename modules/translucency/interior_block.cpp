@@ -1,5 +1,6 @@
 #include "interior_block.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "physics/physics.h"
@@ -28,6 +29,9 @@ InteriorBlock block_of(const InteriorKey& key) {
     const glm::vec3 extinction = optics.sigma_s_reduced + optics.sigma_a;
     const float path = 3.0f / (extinction.x + extinction.y + extinction.z);
     block.boundary = glm::vec4(optics.eta, bends ? 1.0f : 0.0f, kFirstPath * path / optics.eta, exact ? 1.0f : 0.0f);
+    const RadialKernel kernel(optics, key.model, key.scaling, key.piece_radius);
+    std::ranges::copy(kernel.weights(), block.kernel);
+    block.kernel_rate = glm::vec4(kernel.rate());
     return block;
 }
 
@@ -45,18 +49,13 @@ glm::vec3 body_albedo(const Optics& optics, float body_radius) {
 bool InteriorBuffers::update(const InteriorKey& key) {
     if (block_.name() != 0 && key == key_) return false;
     key_ = key;
-    const RadialKernel kernel(key.optics, key.model, key.scaling, key.piece_radius);
     const InteriorBlock block = block_of(key);
     block_ = gpu::Buffer(sizeof block, &block, "translucency.interior");
-    kernel_ = gpu::Buffer(std::span<const glm::vec4>(kernel.table()), "translucency.kernel");
-    low_bits_ = kernel.low_bits();
     return true;
 }
 
 void InteriorBuffers::bind(const gpu::Program& program) const {
     program.block("Interior", block_);
-    program.block("Kernel", kernel_);
-    program.set("kernel_low_bits", low_bits_);
 }
 
 }  // namespace tyndall::translucency

@@ -10,10 +10,12 @@ namespace tyndall::translucency {
 struct InteriorBlock {
     glm::vec4 leaving[physics::HalfSpace::kCosines];  ///< share of what entered that leaves, by the cosine inside
     glm::vec4 deep[physics::HalfSpace::kCosines];     ///< pattern of light from deep inside, by the cosine inside
+    glm::vec4 kernel[RadialKernel::kGaussians];       ///< weights of the kernel's Gaussians
     glm::vec4 mean_leaving;                           ///< share of diffuse light that has entered that leaves
     glm::vec4 base_entering;  ///< rgb base of the boundary's material; w share of diffuse light that enters
     glm::vec4 boundary;       ///< x index of refraction; y weight of the mirror; z metres to the first collision; w 1 when
                               ///< as much leaves as is exact, 0 when the model decides
+    glm::vec4 kernel_rate;    ///< x of the widest Gaussian, 1/m2
 };
 
 /// All that an interior's GPU copy is made from.
@@ -31,7 +33,7 @@ struct InteriorKey {
 /// weak absorption that is volume over surface, whatever the shape (Blanco & Fournier 2003).
 [[nodiscard]] glm::vec3 body_albedo(const Optics& optics, float body_radius);
 
-/// An interior on the GPU: the block, and the kernel's table.
+/// An interior on the GPU.
 class InteriorBuffers {
  public:
     /// True when they were made anew since something changed.
@@ -40,8 +42,7 @@ class InteriorBuffers {
 
  private:
     InteriorKey key_;
-    gpu::Buffer block_, kernel_;
-    uint32_t low_bits_ = 0;
+    gpu::Buffer block_;
 };
 
 }  // namespace tyndall::translucency

@@ -1,7 +1,6 @@
 #include "radial_kernel.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +12,6 @@ namespace {
 constexpr int kBeamSources = 32;
 /// Light that leaves so many mean free paths from where it entered has forgotten where that was (by 1 - 1/e).
 constexpr double kDeepPaths = 4.0;
-constexpr uint32_t kFractionBits = 23 - 4;  ///< of a float's mantissa below a sixteenth of an octave
 
 }  // namespace
 
@@ -44,25 +42,15 @@ glm::vec3 exitance(Model model, const Optics& optics, float r) {
     return glm::vec3(0.0f);
 }
 
-RadialKernel::RadialKernel(const Optics& optics, Model model, Scaling scaling, float piece_radius) {
+RadialKernel::RadialKernel(const Optics& optics, Model model, Scaling scaling, float piece_radius)
+    : piece_radius_(double(piece_radius)) {
     integrate(optics, model);
     const glm::dvec3 all = within_.back();
     returned_ = glm::vec3(all);
-    const glm::dvec3 scale = scaling == Scaling::exact ? 1.0 / glm::max(all, glm::dvec3(1e-12)) : glm::dvec3(1.0);
-    for (glm::dvec3& share : within_) share *= scale;
-    own_ = glm::vec3(within(double(piece_radius)));
-    const float low = 0.0625f * piece_radius * piece_radius;
-    low_bits_ = std::bit_cast<uint32_t>(low) >> kFractionBits << kFractionBits;
-    table_.resize(kEntries);
+    if (scaling == Scaling::exact)
+        for (glm::dvec3& share : within_) share /= glm::max(all, glm::dvec3(1e-12));
     const glm::vec3 extinction = optics.sigma_s_reduced + optics.sigma_a;
-    const double path = 3.0 / double(extinction.x + extinction.y + extinction.z);
-    for (uint32_t i = 0; i < kEntries; ++i) {
-        const double r = std::sqrt(double(std::bit_cast<float>(low_bits_ + (i << kFractionBits))));
-        const glm::dvec3 value = r > 8.0 * double(piece_radius) ? scale * glm::dvec3(exitance(model, optics, float(r)))
-                                                                : mean_over_disc(r, double(piece_radius));
-        const double deep = 1.0 - std::exp(-r / (kDeepPaths * path));
-        table_[i] = glm::vec4(glm::vec3(value), deep * glm::dot(value, glm::dvec3(0.2126, 0.7152, 0.0722)));
-    }
+    fit(kDeepPaths * 3.0 / double(extinction.x + extinction.y + extinction.z));
 }
 
 /// Fills `within_`: the integral of 2 pi r times the exitance, in equal steps of log r.
@@ -87,28 +75,64 @@ glm::dvec3 RadialKernel::within(double r) const {
 }
 
 /// Of a disc `r` away, by rings about the origin: each lies in the disc with a part of its circle.
-glm::dvec3 RadialKernel::mean_over_disc(double r, double radius) const {
-    constexpr int kRings = 96;
+glm::vec3 RadialKernel::exact(float distance) const {
+    constexpr int kRings = 48;
+    const double r = double(distance), radius = piece_radius_;
     glm::dvec3 sum = r < radius ? within(radius - r) : glm::dvec3(0.0);
     const double low = std::abs(r - radius), high = r + radius;
     glm::dvec3 before = within(low);
     for (int i = 0; i < kRings; ++i) {
         const double outer = low + (high - low) * (i + 1.0) / kRings, middle = low + (high - low) * (i + 0.5) / kRings;
         const glm::dvec3 now = within(outer);
-        const double cosine = (middle * middle + r * r - radius * radius) / (2.0 * middle * r);
+        const double cosine = (middle * middle + r * r - radius * radius) / (2.0 * middle * std::max(r, 1e-12));
         sum += (now - before) * (std::acos(std::clamp(cosine, -1.0, 1.0)) / std::numbers::pi);
         before = now;
     }
-    return sum / (std::numbers::pi * radius * radius);
+    return glm::vec3(sum / (std::numbers::pi * radius * radius));
 }
 
-glm::vec3 RadialKernel::at(float r) const {
-    const auto bits = int64_t(std::bit_cast<uint32_t>(r * r)) - int64_t(low_bits_);
-    const int64_t most = (int64_t(kEntries - 1) << kFractionBits) - 1;
-    const auto place = uint32_t(std::clamp<int64_t>(bits, 0, most));
-    const uint32_t i = place >> kFractionBits;
-    const float f = float(place & ((1u << kFractionBits) - 1u)) / float(1u << kFractionBits);
-    return glm::vec3(glm::mix(table_[i], table_[i + 1], f));
+/// Least squares with weights that are not negative, by descent along one coordinate after the other. Errors count
+/// relative to the kernel, where there is light, from a part of the piece to sixteen octaves of r^2 on.
+void RadialKernel::fit(double deep_path) {
+    constexpr int kPlaces = 96, kSweeps = 400;
+    const double narrowest = 2.0 / (piece_radius_ * piece_radius_);
+    rate_ = float(std::ldexp(narrowest, 1 - kGaussians));
+    std::vector<std::array<double, kGaussians>> basis(kPlaces);
+    std::vector<glm::dvec4> wanted(kPlaces);
+    for (int i = 0; i < kPlaces; ++i) {
+        const double r = 0.2 * piece_radius_ * std::pow(1500.0, double(i) / (kPlaces - 1));
+        const glm::dvec3 value = glm::max(glm::dvec3(exact(float(r))), glm::dvec3(1e-300));
+        const double deep = 1.0 - std::exp(-r / deep_path);
+        wanted[size_t(i)] = glm::dvec4(value, deep * glm::dot(value, glm::dvec3(0.2126, 0.7152, 0.0722)));
+        for (int k = 0; k < kGaussians; ++k)
+            basis[size_t(i)][size_t(k)] = std::exp(-std::ldexp(narrowest, -k) * r * r);
+    }
+    for (int channel = 0; channel < 4; ++channel) {
+        const double most = wanted[0][channel];
+        std::array<double, kGaussians> w{}, norm{};
+        std::vector<double> left(kPlaces), scale(kPlaces);
+        for (size_t i = 0; i < kPlaces; ++i) {
+            scale[i] = 1.0 / (wanted[i][channel] + 1e-9 * most + 1e-300);
+            left[i] = wanted[i][channel] * scale[i];
+            for (size_t k = 0; k < kGaussians; ++k) norm[k] += basis[i][k] * basis[i][k] * scale[i] * scale[i];
+        }
+        for (int sweep = 0; sweep < kSweeps; ++sweep)
+            for (size_t k = 0; k < kGaussians; ++k) {
+                double slope = 0.0;
+                for (size_t i = 0; i < kPlaces; ++i) slope += left[i] * basis[i][k] * scale[i];
+                const double now = std::max(0.0, w[k] + slope / norm[k]), change = now - w[k];
+                for (size_t i = 0; i < kPlaces; ++i) left[i] -= change * basis[i][k] * scale[i];
+                w[k] = now;
+            }
+        for (size_t k = 0; k < kGaussians; ++k) weights_[k][channel] = float(w[k]);
+    }
+}
+
+glm::vec4 RadialKernel::at(float r) const {
+    float g = std::exp(-rate_ * r * r);
+    glm::vec4 sum(0.0f);
+    for (size_t k = kGaussians; k-- > 0; g *= g) sum += g * weights_[k];
+    return sum;
 }
 
 }  // namespace tyndall::translucency

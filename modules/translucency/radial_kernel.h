@@ -28,22 +28,22 @@ struct Optics {
 [[nodiscard]] glm::vec3 exitance(Model model, const Optics& optics, float r);
 
 /// The exitance of a small piece of surface through which a unit of flux enters, by the distance from its middle, 1/m2:
-/// the mean of the model over a disc of the piece's size. Linear between entries at r^2 = 2^(low + i / 16).
+/// the mean of the model over a disc of the piece's size, as a sum of Gaussians w exp(-rate r^2), each rate half of the
+/// one before (as d'Eon & Luebke 2007 have profiles of skin): one exponential and products give them all.
 class RadialKernel {
  public:
-    static constexpr int kOctaves = 26, kPerOctave = 16;  ///< of the squared distance
-    static constexpr int kEntries = kOctaves * kPerOctave;
+    static constexpr int kGaussians = 16;
 
     /// `piece_radius` in metres. `scaling` exact makes the integral over the plane 1.
     RadialKernel(const Optics& optics, Model model, Scaling scaling, float piece_radius);
 
-    /// rgb; a: luminance of the part that comes up from deep inside.
-    [[nodiscard]] const std::vector<glm::vec4>& table() const { return table_; }
-    /// The bits of the float at which the table begins.
-    [[nodiscard]] uint32_t low_bits() const { return low_bits_; }
-    [[nodiscard]] glm::vec3 at(float r) const;
-    /// Share of the light that leaves within one piece's radius of where it entered.
-    [[nodiscard]] const glm::vec3& own() const { return own_; }
+    /// rgb weights, 1/m2, narrowest first; a: luminance of the part that comes up from deep inside.
+    [[nodiscard]] const std::array<glm::vec4, kGaussians>& weights() const { return weights_; }
+    /// Of the widest, 1/m2.
+    [[nodiscard]] float rate() const { return rate_; }
+    [[nodiscard]] glm::vec4 at(float r) const;
+    /// The mean over the disc itself, that is at most `r` metres off in the middle, before the fit.
+    [[nodiscard]] glm::vec3 exact(float r) const;
     /// Integral of the model over the plane, before scaling.
     [[nodiscard]] const glm::vec3& returned() const { return returned_; }
 
@@ -52,13 +52,13 @@ class RadialKernel {
 
     void integrate(const Optics& optics, Model model);
     [[nodiscard]] glm::dvec3 within(double r) const;
-    [[nodiscard]] glm::dvec3 mean_over_disc(double r, double radius) const;
+    void fit(double deep_path);
 
-    double first_ = 0.0, step_ = 0.0;   ///< log of the distances of `within_`
-    std::vector<glm::dvec3> within_;    ///< share that leaves nearer than that
-    std::vector<glm::vec4> table_;
-    uint32_t low_bits_ = 0;
-    glm::vec3 own_{0.0f};
+    double first_ = 0.0, step_ = 0.0;  ///< log of the distances of `within_`
+    std::vector<glm::dvec3> within_;   ///< share that leaves nearer than that
+    double piece_radius_ = 0.0;
+    std::array<glm::vec4, kGaussians> weights_{};
+    float rate_ = 0.0f;
     glm::vec3 returned_{0.0f};
 };
 

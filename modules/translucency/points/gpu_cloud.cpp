@@ -3,10 +3,24 @@
 #include <vector>
 
 namespace tyndall::translucency {
+namespace {
+
+constexpr int kNodeColumns = 256;  ///< as in shaders/points/cloud.glsl
+
+gpu::TextureDesc table_desc(size_t texels) {
+    return {.format = gpu::Format::rgba32f,
+            .width = kNodeColumns,
+            .height = (int(texels) + kNodeColumns - 1) / kNodeColumns};
+}
+size_t bytes_of(const gpu::Texture& texture) {
+    return sizeof(glm::vec4) * size_t(texture.desc().width) * size_t(texture.desc().height);
+}
+
+}  // namespace
 
 GpuCloud::GpuCloud(const PointCloud& cloud)
     : points(uint32_t(cloud.points.size())),
-      nodes(2 * points - 1),
+      nodes(2 * points),
       levels(cloud.levels),
       spacing(cloud.spacing),
       radius(cloud.radius),
@@ -18,20 +32,30 @@ GpuCloud::GpuCloud(const PointCloud& cloud)
         surface.emplace_back(point.normal, 0.0f);
     }
     pieces = gpu::Buffer(std::span<const glm::vec4>(surface), "translucency.pieces");
-    lists = gpu::Buffer(std::span<const uint32_t>(cloud.lists), "translucency.lists");
+    const gpu::TextureDesc desc = table_desc(cloud.lists.size() / 4);
+    std::vector<float> numbers = cloud.lists;
+    numbers.resize(4 * size_t(desc.width) * size_t(desc.height), 0.0f);
+    lists = gpu::Texture(desc, "translucency.lists");
+    lists.upload(0, 0, numbers.data());
     list_begins = gpu::Buffer(std::span<const uint32_t>(cloud.list_begins), "translucency.list_begins");
     vertices = gpu::Buffer(std::span<const PointCloud::Vertex>(cloud.vertices), "translucency.vertices");
     indices = gpu::Buffer(std::span<const uint32_t>(cloud.indices), "translucency.indices");
 }
 
 size_t GpuCloud::bytes() const {
-    return pieces.size() + lists.size() + list_begins.size() + vertices.size() + indices.size();
+    return bytes_of(lists) + pieces.size() + list_begins.size() + vertices.size() + indices.size();
 }
 
 GpuObject::GpuObject(const GpuCloud& cloud)
-    : node_places(cloud.nodes * sizeof(glm::vec4), nullptr, "translucency.node_places"),
-      node_fluxes(cloud.nodes * sizeof(glm::vec4), nullptr, "translucency.node_fluxes"),
+    : node_places(table_desc(cloud.nodes), "translucency.node_places"),
+      node_fluxes(table_desc(cloud.nodes), "translucency.node_fluxes"),
       point_scales(cloud.points * sizeof(glm::vec4), nullptr, "translucency.point_scales"),
-      point_light(2 * cloud.points * sizeof(glm::vec4), nullptr, "translucency.point_light") {}
+      point_light(2 * cloud.points * sizeof(glm::vec4), nullptr, "translucency.point_light") {
+    node_fluxes.clear(0, glm::vec4(0.0f));
+}
+
+size_t GpuObject::bytes() const {
+    return bytes_of(node_places) + bytes_of(node_fluxes) + point_scales.size() + point_light.size();
+}
 
 }  // namespace tyndall::translucency

@@ -18,7 +18,8 @@ struct GpuCloud {
     float spacing = 0.0f;  ///< of the mesh's space, as `radius`
     float radius = 0.0f;
     int index_count = 0;
-    gpu::Buffer pieces, lists, list_begins, vertices, indices;
+    gpu::Texture lists;  ///< four to a texel
+    gpu::Buffer pieces, list_begins, vertices, indices;
     [[nodiscard]] size_t bytes() const;
     [[nodiscard]] uint32_t first(int level) const { return 2 * points - (2 * points >> uint32_t(level)); }
 };
@@ -27,11 +28,10 @@ struct GpuCloud {
 struct GpuObject {
     explicit GpuObject(const GpuCloud& cloud);
 
-    gpu::Buffer node_places, node_fluxes, point_scales, point_light;
+    gpu::Texture node_places, node_fluxes;  ///< shaders/points/cloud.glsl
+    gpu::Buffer point_scales, point_light;
     InteriorBuffers interior;
-    [[nodiscard]] size_t bytes() const {
-        return node_places.size() + node_fluxes.size() + point_scales.size() + point_light.size();
-    }
+    [[nodiscard]] size_t bytes() const;
 };
 
 }  // namespace tyndall::translucency

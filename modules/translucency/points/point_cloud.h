@@ -19,7 +19,7 @@ namespace tyndall::translucency {
 /// hold every point once, each far enough from the whole cluster to count as one (Barnes & Hut 1986; for translucent
 /// solids Jensen & Buhler 2002).
 struct PointCloud {
-    static constexpr uint32_t kCluster = 32;
+    static constexpr uint32_t kCluster = 64;
     static constexpr uint32_t kNeighbours = 4;
 
     /// A vertex of the mesh that is drawn: the mesh's own, cut where its triangles are large for the points.
@@ -31,13 +31,14 @@ struct PointCloud {
 
     int levels = 0;
     std::vector<SurfacePoint> points;
-    std::vector<uint32_t> lists;          ///< of all clusters, one after the other
-    std::vector<uint32_t> list_begins;    ///< clusters + 1
+    std::vector<float> lists;           ///< of all clusters, filled up with the node that never has light to fours
+    std::vector<uint32_t> list_begins;  ///< in fours; clusters + 1
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;
     float spacing = 0.0f;                 ///< side of a square of a piece's area
     float radius = 0.0f;                  ///< 3 times the volume over the surface; 0 = the mesh encloses nothing
 
+    [[nodiscard]] uint32_t dark_node() const { return first(levels) + 1; }
     /// Number of a level's first node.
     [[nodiscard]] uint32_t first(int level) const {
         const uint32_t count = uint32_t(1) << uint32_t(levels);

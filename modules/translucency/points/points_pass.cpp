@@ -17,6 +17,7 @@ namespace tyndall::translucency {
 namespace {
 
 constexpr uint64_t kKeptFrames = 120;
+const std::vector<std::string> kBegin{"BEGIN"}, kStep;
 constexpr int kBalanceRounds = 6;
 constexpr uint32_t kGroup = PointCloud::kCluster;
 
@@ -30,9 +31,10 @@ const gpu::Program& compute(PassContext& context, std::string_view shader, std::
     return program;
 }
 
-void dispatch(uint32_t threads) {
-    glDispatchCompute((threads + kGroup - 1) / kGroup, 1, 1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+/// In groups of a cluster each.
+void dispatch(uint32_t points) {
+    glDispatchCompute((points + kGroup - 1) / kGroup, 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 /// Cofactors: they turn an area's vector as the matrix turns its sides.
@@ -42,11 +44,14 @@ glm::mat3 area_matrix(const glm::mat4& transform) {
 }
 
 void bind_points(const gpu::Program& program, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
-    program.block("NodePlaces", object.node_places);
-    program.block("NodeFluxes", object.node_fluxes);
+    for (const auto& [name, texture] :
+         {std::pair{"node_places", &object.node_places}, std::pair{"node_fluxes", &object.node_fluxes}}) {
+        program.texture(name, *texture, {.filter = gpu::Filter::nearest});  // a program has one of the two
+        program.image(name, *texture, 0, true);
+    }
     program.block("PointScales", object.point_scales);
     program.block("Pieces", cloud.pieces);
-    program.block("Lists", cloud.lists);
+    program.texture("lists", cloud.lists, {.filter = gpu::Filter::nearest});
     program.block("ListBegins", cloud.list_begins);
     object.interior.bind(program);
     program.set("point_count", cloud.points);
@@ -133,13 +138,12 @@ void PointsPass::forget_unused() {
 
 void PointsPass::balance(PassContext& context, const Surface& surface, const GpuCloud& cloud,
                          const GpuObject& object) {
-    const gpu::Program& begin = compute(context, "balance", {"BEGIN"});
-    bind_points(begin, surface, cloud, object);
-    dispatch(cloud.points);
-    for (int round = 0; settings_.scaling == Scaling::exact && round < kBalanceRounds; ++round) {
-        const gpu::Program& flux = compute(context, "balance", {"FLUX"});
-        bind_points(flux, surface, cloud, object);
+    const int rounds = settings_.scaling == Scaling::exact ? kBalanceRounds : 0;
+    for (int round = 0; round <= rounds; ++round) {
+        const gpu::Program& even = compute(context, "even", round == 0 ? kBegin : kStep);
+        bind_points(even, surface, cloud, object);
         dispatch(cloud.points);
+        if (round == rounds) break;
         sum(context, surface, cloud, object);
         const gpu::Program& step = compute(context, "balance");
         bind_points(step, surface, cloud, object);

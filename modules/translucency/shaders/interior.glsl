@@ -2,13 +2,15 @@
 #include "physics/constants.glsl"
 #include "physics/fresnel.glsl"
 
-const int kLeavingCosines = 16;
+const int kLeavingCosines = 16, kKernelGaussians = 16;
 layout(std140) uniform Interior {
     vec4 leaving[kLeavingCosines];
     vec4 deep[kLeavingCosines];
+    vec4 kernel[kKernelGaussians];
     vec4 mean_leaving;
     vec4 base_entering;
     vec4 boundary;
+    vec4 kernel_rate;
 } interior;
 
 float interior_eta() { return interior.boundary.x; }
@@ -44,3 +46,14 @@ vec3 deep_pattern(float cosine) {
 }
 /// Metres along the surface that refracted light goes before it first collides, over the sine outside.
 float first_path() { return interior.boundary.z; }
+
+/// Exitance per flux, 1/m2, at a squared distance; a: luminance of the part from deep inside (radial_kernel.h).
+vec4 kernel_at(float r2) {
+    float g = exp2(-1.44269504 * interior.kernel_rate.x * r2);
+    vec4 sum = vec4(0.0);
+    for (int k = kKernelGaussians - 1; k >= 0; --k) {
+        sum += g * interior.kernel[k];
+        g *= g;
+    }
+    return sum;
+}

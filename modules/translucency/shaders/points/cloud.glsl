@@ -2,11 +2,27 @@
 // levels.
 #include "translucency/interior.glsl"
 
-layout(local_size_x = 32) in;
+// A work group has a cluster of 64 points.
+#ifdef POINTS_A_THREAD
+layout(local_size_x = 64 / POINTS_A_THREAD) in;
+#else
+layout(local_size_x = 64) in;
+#endif
 
 layout(std430) readonly buffer Pieces { vec4 pieces[]; };  // two a point: place, area; normal. Of the mesh's own space
-layout(std430) buffer NodePlaces { vec4 node_places[]; };  // world, the middle of the light that entered; of points w: luminance of what entered
-layout(std430) buffer NodeFluxes { vec4 node_fluxes[]; };  // rgb flux that has entered and leaves somewhere, lm; of points w: that arrived
+// Nodes' light lies in images: of all ways to read it this is the quickest where a CPU renders.
+//  places: world, the middle of the light that entered; of points w: luminance of what entered
+//  fluxes: rgb flux that has entered and leaves somewhere, lm; of points w: illuminance that arrived
+#ifndef NODES_READ
+layout(rgba32f) uniform image2D node_places;
+layout(rgba32f) uniform image2D node_fluxes;
+#else
+uniform sampler2D node_places;
+uniform sampler2D node_fluxes;
+#endif
+const uint kNodeColumns = 256u;
+ivec2 node_texel(uint node) { return ivec2(node % kNodeColumns, node / kNodeColumns); }
+
 layout(std430) buffer PointScales { vec4 point_scales[]; };  // rgb what the kernel is multiplied by at both ends (balance.comp)
 uniform uint point_count;
 uniform mat4 world_from_local;

@@ -1,22 +1,80 @@
-// A cluster of points a work group, which looks at one list of nodes.
+// A cluster of points a work group, which looks at one list of nodes; eight points a thread share what is read of a node.
+#define POINTS_A_THREAD 8
+#define NODES_READ
 #include "translucency/points/cloud.glsl"
-#include "translucency/kernel.glsl"
 
-layout(std430) readonly buffer Lists { uint lists[]; };
-layout(std430) readonly buffer ListBegins { uint list_begins[]; };
+uniform sampler2D lists;  // four nodes' numbers a texel
+layout(std430) readonly buffer ListBegins { uint list_begins[]; };  // in texels
 
-/// Exitance at `place` by the light that has entered everywhere but at `point` itself, lm/m2, not scaled there. a: luminance of what
-/// comes from deep inside.
-vec4 gathered(uint cluster, uint point, vec3 place) {
-    uint last = list_begins[cluster + 1u];
-    vec4 sum = vec4(0.0);
-    for (uint i = list_begins[cluster]; i < last; ++i) {
-        uint node = lists[i];
-        vec3 flux = node_fluxes[node].rgb;
-        if (flux == vec3(0.0)) continue;
-        vec3 d = node_places[node].xyz - place;
-        flux = node == point ? vec3(0.0) : flux;
-        sum += vec4(flux, luminance(flux)) * kernel_at(dot(d, d));
+/// A thread's points follow at this stride; they are worked on by fours.
+const uint kStride = 8u;
+uint point_of_thread(uint i) { return gl_WorkGroupID.x * kStride * 8u + gl_LocalInvocationID.x + kStride * i; }
+
+/// Exitance of four points, lm/m2, an element each; deep: luminance of what comes from deep inside.
+struct Exitances {
+    vec4 red, green, blue, deep;
+};
+vec4 exitance_of(Exitances all, uint i) { return vec4(all.red[i], all.green[i], all.blue[i], all.deep[i]); }
+
+#define GAUSSIAN(k) w = interior.kernel[k]; \
+    kernel.red += w.r * g; kernel.green += w.g * g; kernel.blue += w.b * g; kernel.deep += w.a * g; g *= g;
+
+Exitances kernels_at(vec4 r2) {
+    vec4 g = exp2(-1.44269504 * interior.kernel_rate.x * r2);
+    vec4 w;
+    Exitances kernel = Exitances(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    GAUSSIAN(15) GAUSSIAN(14) GAUSSIAN(13) GAUSSIAN(12) GAUSSIAN(11) GAUSSIAN(10) GAUSSIAN(9) GAUSSIAN(8)
+    GAUSSIAN(7) GAUSSIAN(6) GAUSSIAN(5) GAUSSIAN(4) GAUSSIAN(3) GAUSSIAN(2) GAUSSIAN(1) GAUSSIAN(0)
+    return kernel;
+}
+
+/// Four points, and what they have gathered.
+struct Four {
+    uvec4 points;
+    vec4 x, y, z;
+    Exitances sum;
+};
+Four four_of_thread(uint first) {
+    Four four;
+    four.sum = Exitances(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    for (uint i = 0u; i < 4u; ++i) {
+        uint point = point_of_thread(first + i);
+        vec3 place = piece_at(point).place;
+        four.points[i] = point;
+        four.x[i] = place.x;
+        four.y[i] = place.y;
+        four.z[i] = place.z;
     }
-    return sum;
+    return four;
+}
+
+void add_node(inout Four four, uint node, vec3 place, vec4 flux) {
+    vec4 dx = four.x - place.x, dy = four.y - place.y, dz = four.z - place.z;
+    Exitances kernel = kernels_at(dx * dx + dy * dy + dz * dz);
+    vec4 other = mix(vec4(1.0), vec4(0.0), equal(four.points, uvec4(node)));
+    four.sum.red += flux.r * other * kernel.red;
+    four.sum.green += flux.g * other * kernel.green;
+    four.sum.blue += flux.b * other * kernel.blue;
+    four.sum.deep += flux.a * other * kernel.deep;
+}
+
+void add_node(inout Four low, inout Four high, uint node) {
+    vec3 flux = texelFetch(node_fluxes, node_texel(node), 0).rgb;
+    if (flux == vec3(0.0)) return;
+    vec3 place = texelFetch(node_places, node_texel(node), 0).xyz;
+    vec4 all = vec4(flux, luminance(flux));
+    add_node(low, node, place, all);
+    add_node(high, node, place, all);
+}
+
+/// By the light that has entered everywhere but at the points themselves, not scaled there.
+void gather(inout Four low, inout Four high) {
+    uint last = list_begins[gl_WorkGroupID.x + 1u];
+    for (uint i = list_begins[gl_WorkGroupID.x]; i < last; ++i) {
+        uvec4 nodes = uvec4(texelFetch(lists, node_texel(i), 0));
+        add_node(low, high, nodes.x);
+        add_node(low, high, nodes.y);
+        add_node(low, high, nodes.z);
+        add_node(low, high, nodes.w);
+    }
 }

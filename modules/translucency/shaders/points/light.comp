@@ -19,8 +19,8 @@ void main() {
     float entered = share * luminance(irradiance);
     // it begins to spread where it first collides
     vec3 collides = piece.place - (to_light - cosine * piece.normal) * first_path();
-    vec4 place = node_places[point];
+    vec4 place = imageLoad(node_places, node_texel(point));
     place.xyz = mix(place.xyz, collides, entered / max(place.w + entered, 1e-30));
-    node_places[point] = vec4(place.xyz, place.w + entered);
-    node_fluxes[point] += vec4(leaving * (share * piece.area), cosine * luminance(irradiance));
+    imageStore(node_places, node_texel(point), vec4(place.xyz, place.w + entered));
+    imageStore(node_fluxes, node_texel(point), imageLoad(node_fluxes, node_texel(point)) + vec4(leaving * (share * piece.area), cosine * luminance(irradiance)));
 }

@@ -10,6 +10,6 @@ void main() {
     vec3 irradiance = indirect_light(piece.place, piece.normal, piece.normal, 1.0).irradiance;
     float share = mean_entering();
     vec3 leaving = irradiance * point_scales[point].rgb * mean_leaving();
-    node_fluxes[point] = vec4(leaving * (share * piece.area), luminance(irradiance));
-    node_places[point] = vec4(piece.place, share * luminance(irradiance));
+    imageStore(node_fluxes, node_texel(point), vec4(leaving * (share * piece.area), luminance(irradiance)));
+    imageStore(node_places, node_texel(point), vec4(piece.place, share * luminance(irradiance)));
 }

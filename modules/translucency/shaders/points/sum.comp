@@ -14,8 +14,8 @@ void main() {
     vec3 fluxes[8];
     vec3 places[8];
     for (uint i = 0u; i < count; ++i) {
-        fluxes[i] = node_fluxes[level_begins[0] + n * count + i].rgb;
-        places[i] = node_places[level_begins[0] + n * count + i].xyz;
+        fluxes[i] = imageLoad(node_fluxes, node_texel(level_begins[0] + n * count + i)).rgb;
+        places[i] = imageLoad(node_places, node_texel(level_begins[0] + n * count + i)).xyz;
     }
     for (uint level = 1u; level <= levels; ++level) {
         count >>= 1u;
@@ -23,8 +23,8 @@ void main() {
             float a = luminance(fluxes[2u * i]) + kLeast, b = luminance(fluxes[2u * i + 1u]) + kLeast;
             fluxes[i] = fluxes[2u * i] + fluxes[2u * i + 1u];
             places[i] = mix(places[2u * i], places[2u * i + 1u], b / (a + b));
-            node_fluxes[level_begins[level] + n * count + i] = vec4(fluxes[i], 0.0);
-            node_places[level_begins[level] + n * count + i] = vec4(places[i], 0.0);
+            imageStore(node_fluxes, node_texel(level_begins[level] + n * count + i), vec4(fluxes[i], 0.0));
+            imageStore(node_places, node_texel(level_begins[level] + n * count + i), vec4(places[i], 0.0));
         }
     }
 }
