@@ -46,16 +46,17 @@ size_t GpuCloud::bytes() const {
     return bytes_of(lists) + pieces.size() + list_begins.size() + vertices.size() + indices.size();
 }
 
-GpuObject::GpuObject(const GpuCloud& cloud)
+GpuObject::GpuObject(const GpuCloud& cloud, bool directional)
     : node_places(table_desc(cloud.nodes), "translucency.node_places"),
       node_fluxes(table_desc(cloud.nodes), "translucency.node_fluxes"),
+      node_directions(directional ? table_desc(cloud.nodes) : table_desc(1), "translucency.node_directions"),
       point_scales(cloud.points * sizeof(glm::vec4), nullptr, "translucency.point_scales"),
       point_light(2 * cloud.points * sizeof(glm::vec4), nullptr, "translucency.point_light") {
     node_fluxes.clear(0, glm::vec4(0.0f));
 }
 
 size_t GpuObject::bytes() const {
-    return bytes_of(node_places) + bytes_of(node_fluxes) + point_scales.size() + point_light.size();
+    return bytes_of(node_places) + bytes_of(node_fluxes) + bytes_of(node_directions) + point_scales.size() + point_light.size();
 }
 
 }  // namespace tyndall::translucency

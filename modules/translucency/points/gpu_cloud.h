@@ -26,9 +26,10 @@ struct GpuCloud {
 
 /// What each object has of its own.
 struct GpuObject {
-    explicit GpuObject(const GpuCloud& cloud);
+    /// `directional`: has room for the directions of light.
+    GpuObject(const GpuCloud& cloud, bool directional);
 
-    gpu::Texture node_places, node_fluxes;  ///< shaders/points/cloud.glsl
+    gpu::Texture node_places, node_fluxes, node_directions;  ///< shaders/points/cloud.glsl
     gpu::Buffer point_scales, point_light;
     InteriorBuffers interior;
     [[nodiscard]] size_t bytes() const;

@@ -17,7 +17,7 @@ namespace tyndall::translucency {
 namespace {
 
 constexpr uint64_t kKeptFrames = 120;
-const std::vector<std::string> kBegin{"BEGIN"}, kStep;
+const std::vector<std::string> kBegin{"BEGIN"}, kNone, kDirections{"DIRECTIONS"};
 constexpr int kBalanceRounds = 6;
 constexpr uint32_t kGroup = PointCloud::kCluster;
 
@@ -37,6 +37,15 @@ void dispatch(uint32_t points) {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
+float scale_of(const Surface& surface) {
+    return std::cbrt(std::abs(glm::determinant(glm::mat3(surface.transform))));
+}
+
+/// Of a disc as large as a point's piece, metres.
+float piece_radius(const Surface& surface, const GpuCloud& cloud) {
+    return std::max(cloud.spacing * scale_of(surface), 1e-9f) / std::sqrt(std::numbers::pi_v<float>);
+}
+
 /// Cofactors: they turn an area's vector as the matrix turns its sides.
 glm::mat3 area_matrix(const glm::mat4& transform) {
     const glm::mat3 m(transform);
@@ -45,7 +54,8 @@ glm::mat3 area_matrix(const glm::mat4& transform) {
 
 void bind_points(const gpu::Program& program, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
     for (const auto& [name, texture] :
-         {std::pair{"node_places", &object.node_places}, std::pair{"node_fluxes", &object.node_fluxes}}) {
+         {std::pair{"node_places", &object.node_places}, std::pair{"node_fluxes", &object.node_fluxes},
+          std::pair{"node_directions", &object.node_directions}}) {
         program.texture(name, *texture, {.filter = gpu::Filter::nearest});  // a program has one of the two
         program.image(name, *texture, 0, true);
     }
@@ -65,7 +75,14 @@ void bind_points(const gpu::Program& program, const Surface& surface, const GpuC
 PointsPass::PointsPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings& settings)
     : plan_(std::move(plan)),
       settings_(settings),
-      light_programs_({.name = "translucency.points.light", .compute = "translucency/points/light.comp"}) {}
+      light_programs_({.name = "translucency.points.light", .compute = "translucency/points/light.comp"}),
+      directional_light_programs_({.name = "translucency.points.directional_light",
+                                   .compute = "translucency/points/light.comp",
+                                   .defines = kDirections}) {}
+
+bool PointsPass::directional() const {
+    return settings_.model == Model::directional;
+}
 
 PointsPass::~PointsPass() {
     if (vertex_array_ != 0) glDeleteVertexArrays(1, &vertex_array_);
@@ -118,14 +135,15 @@ PointsPass::Object& PointsPass::object_of(const Surface& surface, const GpuCloud
     const uint64_t entity = uint64_t(surface.entity.index) << 32u | surface.entity.generation;
     Object& object = objects_[{entity, surface.mesh->id}];
     object.last_used = frame_;
-    if (!object.gpu || object.cloud != &cloud) {
-        object.gpu = std::make_unique<GpuObject>(cloud);
+    if (!object.gpu || object.cloud != &cloud || object.directional != directional()) {
+        object.gpu = std::make_unique<GpuObject>(cloud, directional());
         object.cloud = &cloud;
+        object.directional = directional();
+        object.balanced = false;
     }
-    const float scale = std::cbrt(std::abs(glm::determinant(glm::mat3(surface.transform))));
-    const float radius = std::max(cloud.spacing * scale, 1e-9f) / std::sqrt(std::numbers::pi_v<float>);
+    const float radius = piece_radius(surface, cloud);
     if (object.gpu->interior.update({optics_of(*surface.interior), settings_.model, settings_.scaling, radius,
-                                     cloud.radius * scale}))
+                                     cloud.radius * scale_of(surface)}))
         object.balanced = false;
     return object;
 }
@@ -140,7 +158,7 @@ void PointsPass::balance(PassContext& context, const Surface& surface, const Gpu
                          const GpuObject& object) {
     const int rounds = settings_.scaling == Scaling::exact ? kBalanceRounds : 0;
     for (int round = 0; round <= rounds; ++round) {
-        const gpu::Program& even = compute(context, "even", round == 0 ? kBegin : kStep);
+        const gpu::Program& even = compute(context, "even", round == 0 ? kBegin : kNone);
         bind_points(even, surface, cloud, object);
         dispatch(cloud.points);
         if (round == rounds) break;
@@ -154,13 +172,14 @@ void PointsPass::balance(PassContext& context, const Surface& surface, const Gpu
 /// What arrives at the points, from the lights and from all around.
 void PointsPass::light(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
     Frame& frame = context.frame();
-    const gpu::Program& place = compute(context, "place");
+    const gpu::Program& place = compute(context, "place", directional() ? kDirections : kNone);
     frame.seams.bind(Seam::indirect_light, place, context);
     bind_points(place, surface, cloud, object);
     dispatch(cloud.points);
-    light_programs_.begin();
+    LightPrograms& programs = directional() ? directional_light_programs_ : light_programs_;
+    programs.begin();
     for (size_t i = 0; i < frame.scene.lights.size(); ++i) {
-        const gpu::Program& program = light_programs_.use(frame, i, [&](const gpu::Program& fresh) {
+        const gpu::Program& program = programs.use(frame, i, [&](const gpu::Program& fresh) {
             frame.seams.bind(Seam::light_transmittance, fresh, context);
             bind_points(fresh, surface, cloud, object);
         });
@@ -170,7 +189,7 @@ void PointsPass::light(PassContext& context, const Surface& surface, const GpuCl
 }
 
 void PointsPass::sum(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
-    const gpu::Program& program = compute(context, "sum");
+    const gpu::Program& program = compute(context, "sum", directional() ? kDirections : kNone);
     bind_points(program, surface, cloud, object);
     for (int level = 0; level < cloud.levels; level += 3) {
         const int levels = std::min(3, cloud.levels - level);
@@ -183,9 +202,10 @@ void PointsPass::sum(PassContext& context, const Surface& surface, const GpuClou
 }
 
 void PointsPass::gather(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
-    const gpu::Program& program = compute(context, "gather");
+    const gpu::Program& program = compute(context, directional() ? "gather_directional" : "gather");
     bind_points(program, surface, cloud, object);
     program.block("PointLight", object.point_light);
+    program.set("piece_radius", piece_radius(surface, cloud));
     dispatch(cloud.points);
 }
 

@@ -40,9 +40,11 @@ class PointsPass final : public Pass {
         const GpuCloud* cloud = nullptr;
         uint64_t last_used = 0;
         bool balanced = false;
+        bool directional = false;
     };
     using ObjectKey = std::pair<uint64_t, uint64_t>;
 
+    [[nodiscard]] bool directional() const;
     const GpuCloud& cloud_of(const Surface& surface);
     Object& object_of(const Surface& surface, const GpuCloud& cloud);
     void forget_unused();
@@ -56,7 +58,7 @@ class PointsPass final : public Pass {
     const TranslucencySettings& settings_;
     std::unordered_map<uint64_t, Cloud> clouds_;
     std::map<ObjectKey, Object> objects_;
-    LightPrograms light_programs_;
+    LightPrograms light_programs_, directional_light_programs_;
     SpecularTableTexture table_;
     unsigned int vertex_array_ = 0;
     uint64_t frame_ = 0;

@@ -11,6 +11,9 @@ layout(std140) uniform Interior {
     vec4 base_entering;
     vec4 boundary;
     vec4 kernel_rate;
+    vec4 sigma_s_reduced;
+    vec4 sigma_a;
+    vec4 published;
 } interior;
 
 float interior_eta() { return interior.boundary.x; }
@@ -31,18 +34,19 @@ vec3 leaving_at(float cosine) {
 }
 /// Share of what entered at this cosine that leaves somewhere; 1 where the kernel says itself how much that is.
 vec3 leaving_share(float cosine) { return interior.boundary.w > 0.0 ? leaving_at(cosine) : vec3(1.0); }
-/// Radiance toward a cosine, over the mean that an exitance of pi stands for, of light that entered near by: by
-/// reciprocity it leaves as what enters from there would.
-vec3 leaving_pattern(float cosine) {
-    return (1.0 - fresnel_dielectric(cosine, interior_eta())) / mean_entering() * leaving_at(cosine) /
-           max(interior.mean_leaving.rgb, vec3(1e-6));
+/// Radiance toward a cosine, over what an exitance of pi means if it is even inside.
+float even_pattern(float cosine) { return (1.0 - fresnel_dielectric(cosine, interior_eta())) / mean_entering(); }
+/// The same of light that entered near by: by reciprocity it leaves as what enters from there would.
+vec3 near_pattern(float cosine) {
+    if (interior.boundary.w == 0.0) return vec3(even_pattern(cosine));
+    return even_pattern(cosine) * leaving_at(cosine) / max(interior.mean_leaving.rgb, vec3(1e-6));
 }
 /// The same of light that has come from far through the inside: the limb is darker.
 vec3 deep_pattern(float cosine) {
+    if (interior.boundary.w == 0.0) return vec3(even_pattern(cosine));
     float x = cosine_inside(cosine) * float(kLeavingCosines - 1);
     int i = min(int(x), kLeavingCosines - 2);
-    return (1.0 - fresnel_dielectric(cosine, interior_eta())) / mean_entering() *
-           mix(interior.deep[i].rgb, interior.deep[i + 1].rgb, x - float(i));
+    return even_pattern(cosine) * mix(interior.deep[i].rgb, interior.deep[i + 1].rgb, x - float(i));
 }
 /// Metres along the surface that refracted light goes before it first collides, over the sine outside.
 float first_path() { return interior.boundary.z; }

@@ -16,10 +16,16 @@ layout(std430) readonly buffer Pieces { vec4 pieces[]; };  // two a point: place
 #ifndef NODES_READ
 layout(rgba32f) uniform image2D node_places;
 layout(rgba32f) uniform image2D node_fluxes;
+#ifdef DIRECTIONS
+layout(rgba32f) uniform image2D node_directions;
+#endif
 #else
 uniform sampler2D node_places;
 uniform sampler2D node_fluxes;
+uniform sampler2D node_directions;
 #endif
+//  directions (DIRECTIONS alone): mean of the unit vectors along which light enters, refracted; w: the mean normal
+#include "translucency/points/directions.glsl"
 const uint kNodeColumns = 256u;
 ivec2 node_texel(uint node) { return ivec2(node % kNodeColumns, node / kNodeColumns); }
 

@@ -21,6 +21,12 @@ void main() {
     vec3 collides = piece.place - (to_light - cosine * piece.normal) * first_path();
     vec4 place = imageLoad(node_places, node_texel(point));
     place.xyz = mix(place.xyz, collides, entered / max(place.w + entered, 1e-30));
+#ifdef DIRECTIONS
+    vec4 direction = imageLoad(node_directions, node_texel(point));
+    vec3 refracted = refract(-to_light, piece.normal, 1.0 / interior_eta());
+    direction.xyz = mix(direction.xyz, refracted, entered / max(place.w + entered, 1e-30));
+    imageStore(node_directions, node_texel(point), direction);
+#endif
     imageStore(node_places, node_texel(point), vec4(place.xyz, place.w + entered));
     imageStore(node_fluxes, node_texel(point), imageLoad(node_fluxes, node_texel(point)) + vec4(leaving * (share * piece.area), cosine * luminance(irradiance)));
 }

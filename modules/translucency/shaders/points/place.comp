@@ -11,5 +11,8 @@ void main() {
     float share = mean_entering();
     vec3 leaving = irradiance * point_scales[point].rgb * mean_leaving();
     imageStore(node_fluxes, node_texel(point), vec4(leaving * (share * piece.area), luminance(irradiance)));
+#ifdef DIRECTIONS
+    imageStore(node_directions, node_texel(point), vec4(-piece.normal, packed_normal(piece.normal)));
+#endif
     imageStore(node_places, node_texel(point), vec4(piece.place, share * luminance(irradiance)));
 }

@@ -13,18 +13,35 @@ void main() {
     uint count = 1u << levels;
     vec3 fluxes[8];
     vec3 places[8];
+#ifdef DIRECTIONS
+    vec3 directions[8];
+    vec3 normals[8];
+#endif
     for (uint i = 0u; i < count; ++i) {
-        fluxes[i] = imageLoad(node_fluxes, node_texel(level_begins[0] + n * count + i)).rgb;
-        places[i] = imageLoad(node_places, node_texel(level_begins[0] + n * count + i)).xyz;
+        ivec2 texel = node_texel(level_begins[0] + n * count + i);
+        fluxes[i] = imageLoad(node_fluxes, texel).rgb;
+        places[i] = imageLoad(node_places, texel).xyz;
+#ifdef DIRECTIONS
+        vec4 direction = imageLoad(node_directions, texel);
+        directions[i] = direction.xyz;
+        normals[i] = unpacked_normal(direction.w);
+#endif
     }
     for (uint level = 1u; level <= levels; ++level) {
         count >>= 1u;
         for (uint i = 0u; i < count; ++i) {
             float a = luminance(fluxes[2u * i]) + kLeast, b = luminance(fluxes[2u * i + 1u]) + kLeast;
+            float share = b / (a + b);
+            ivec2 texel = node_texel(level_begins[level] + n * count + i);
             fluxes[i] = fluxes[2u * i] + fluxes[2u * i + 1u];
-            places[i] = mix(places[2u * i], places[2u * i + 1u], b / (a + b));
-            imageStore(node_fluxes, node_texel(level_begins[level] + n * count + i), vec4(fluxes[i], 0.0));
-            imageStore(node_places, node_texel(level_begins[level] + n * count + i), vec4(places[i], 0.0));
+            places[i] = mix(places[2u * i], places[2u * i + 1u], share);
+            imageStore(node_fluxes, texel, vec4(fluxes[i], 0.0));
+            imageStore(node_places, texel, vec4(places[i], 0.0));
+#ifdef DIRECTIONS
+            directions[i] = mix(directions[2u * i], directions[2u * i + 1u], share);
+            normals[i] = mix(normals[2u * i], normals[2u * i + 1u], share);
+            imageStore(node_directions, texel, vec4(directions[i], packed_normal(normals[i])));
+#endif
         }
     }
 }

@@ -27,7 +27,7 @@ void main() {
     vec2 table = specular_table_at(cosine, point.roughness);
     vec3 base = boundary.base_color * (vec3(1.0) - standard_specular_albedo(boundary.f0, boundary.f90, table));
     vec3 scale = 1.0 / max(base, vec3(1e-4));
-    vec3 near = leaving_pattern(cosine);
+    vec3 near = near_pattern(cosine);
     gathered = vec4(scale * mix(near, deep_pattern(cosine), v_others.a) * v_others.rgb, 0.0);
     kept = vec4(scale * near * v_own, 1.0);
 }

@@ -1,0 +1,19 @@
+// What leaves at a point, of the light that has entered elsewhere and of its own.
+layout(std430) writeonly buffer PointLight { vec4 point_light[]; };  // two a point: exitance of others' light, lm/m2, a share of it from deep inside; share of its own illuminance
+
+void store(uint point, vec4 found) {
+    Piece piece = piece_at(point);
+    vec3 scale = point_scales[point].rgb;
+    vec4 flux = texelFetch(node_fluxes, node_texel(point), 0);
+    vec3 others = scale * found.rgb;
+    vec3 moved = texelFetch(node_places, node_texel(point), 0).xyz - piece.place;
+    vec3 own = scale * kernel_at(dot(moved, moved)).rgb;
+    // Deep inside was at most what is more than ground lit evenly by this point's light would give.
+    vec3 even = flux.rgb / (max(scale, vec3(1e-6)) * piece.area);
+    float here = luminance(others + own * flux.rgb);
+    float deep = clamp(1.0 - luminance(even) / max(here, 1e-30), 0.0, 1.0) * found.a / max(luminance(found.rgb), 1e-30);
+    float share = flux.w > 0.0 ? texelFetch(node_places, node_texel(point), 0).w / flux.w : mean_entering();
+    point_light[2u * point] = vec4(others, deep);
+    point_light[2u * point + 1u] = vec4(own * scale * piece.area * share * mean_leaving(), 0.0);
+}
+
