@@ -28,7 +28,7 @@ InteriorBlock block_of(const InteriorKey& key) {
                                     bends ? physics::diffuse_transmission(1.0f / optics.eta) : 1.0f);
     const glm::vec3 extinction = optics.sigma_s_reduced + optics.sigma_a;
     const float path = 3.0f / (extinction.x + extinction.y + extinction.z);
-    block.boundary = glm::vec4(optics.eta, bends ? 1.0f : 0.0f, exact ? kFirstPath * path / optics.eta : 0.0f, exact ? 1.0f : 0.0f);
+    block.boundary = glm::vec4(optics.eta, exact ? kFirstPath * path / optics.eta : 0.0f, exact ? 1.0f : 0.0f, 0.0f);
     const RadialKernel kernel(optics, key.model, key.scaling, key.piece_radius);
     std::ranges::copy(kernel.weights(), block.kernel);
     block.kernel_rate = glm::vec4(kernel.rate());

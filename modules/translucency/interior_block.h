@@ -13,8 +13,8 @@ struct InteriorBlock {
     glm::vec4 kernel[RadialKernel::kGaussians];       ///< weights of the kernel's Gaussians
     glm::vec4 mean_leaving;                           ///< share of diffuse light that has entered that leaves
     glm::vec4 base_entering;  ///< rgb base of the boundary's material; w share of diffuse light that enters
-    glm::vec4 boundary;       ///< x index of refraction; y weight of the mirror; z metres to the first collision; w 1 when
-                              ///< as much leaves as is exact, 0 when the model decides
+    glm::vec4 boundary;       ///< x index of refraction; y metres to the first collision; z 1 when as much leaves as is
+                              ///< exact, 0 when the model decides
     glm::vec4 kernel_rate;    ///< x of the widest Gaussian, 1/m2
     glm::vec4 sigma_s_reduced, sigma_a;  ///< 1/m
     glm::vec4 published;                 ///< what the published model is multiplied by

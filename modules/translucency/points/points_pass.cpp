@@ -231,7 +231,6 @@ void PointsPass::draw(PassContext& context, const Surface& surface, const GpuClo
     program.use();
     bind_frame(program, frame);
     object.interior.bind(program);
-    table_.bind(program);
     for (const char* target : {"scene_depth", "gbuffer_normal"})
         program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
     program.block("PointLight", object.point_light);

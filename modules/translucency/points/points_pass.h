@@ -9,7 +9,6 @@
 #include "points/gpu_cloud.h"
 #include "render/frame_graph.h"
 #include "render/light_programs.h"
-#include "render/specular_table.h"
 #include "translucency_settings.h"
 #include "translucent_surfaces.h"
 
@@ -59,7 +58,6 @@ class PointsPass final : public Pass {
     std::unordered_map<uint64_t, Cloud> clouds_;
     std::map<ObjectKey, Object> objects_;
     LightPrograms light_programs_, directional_light_programs_;
-    SpecularTableTexture table_;
     unsigned int vertex_array_ = 0;
     uint64_t frame_ = 0;
 };

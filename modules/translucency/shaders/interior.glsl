@@ -19,7 +19,7 @@ layout(std140) uniform Interior {
 float interior_eta() { return interior.boundary.x; }
 /// Of diffuse light: the share that enters, and that leaves of what entered.
 float mean_entering() { return interior.base_entering.w; }
-vec3 mean_leaving() { return interior.boundary.w > 0.0 ? interior.mean_leaving.rgb : vec3(1.0); }
+vec3 mean_leaving() { return interior.boundary.z > 0.0 ? interior.mean_leaving.rgb : vec3(1.0); }
 
 /// Share of irradiance (on a plane that faces the light) that enters a unit of area, at a cosine 0..1 to its normal.
 float entering(float cosine) { return cosine * (1.0 - fresnel_dielectric(cosine, interior_eta())); }
@@ -33,23 +33,22 @@ vec3 leaving_at(float cosine) {
     return mix(interior.leaving[i].rgb, interior.leaving[i + 1].rgb, x - float(i));
 }
 /// Share of what entered at this cosine that leaves somewhere; 1 where the kernel says itself how much that is.
-vec3 leaving_share(float cosine) { return interior.boundary.w > 0.0 ? leaving_at(cosine) : vec3(1.0); }
-/// Radiance toward a cosine, over what an exitance of pi means if it is even inside.
-float even_pattern(float cosine) { return (1.0 - fresnel_dielectric(cosine, interior_eta())) / mean_entering(); }
-/// The same of light that entered near by: by reciprocity it leaves as what enters from there would.
+vec3 leaving_share(float cosine) { return interior.boundary.z > 0.0 ? leaving_at(cosine) : vec3(1.0); }
+/// Light inside, just below the boundary, toward a cosine outside, over its mean: of light that entered near by. By
+/// reciprocity it leaves as what enters from there would.
 vec3 near_pattern(float cosine) {
-    if (interior.boundary.w == 0.0) return vec3(even_pattern(cosine));
-    return even_pattern(cosine) * leaving_at(cosine) / max(interior.mean_leaving.rgb, vec3(1e-6));
+    if (interior.boundary.z == 0.0) return vec3(1.0);
+    return leaving_at(cosine) / max(interior.mean_leaving.rgb, vec3(1e-6));
 }
 /// The same of light that has come from far through the inside: the limb is darker.
 vec3 deep_pattern(float cosine) {
-    if (interior.boundary.w == 0.0) return vec3(even_pattern(cosine));
+    if (interior.boundary.z == 0.0) return vec3(1.0);
     float x = cosine_inside(cosine) * float(kLeavingCosines - 1);
     int i = min(int(x), kLeavingCosines - 2);
-    return even_pattern(cosine) * mix(interior.deep[i].rgb, interior.deep[i + 1].rgb, x - float(i));
+    return mix(interior.deep[i].rgb, interior.deep[i + 1].rgb, x - float(i));
 }
 /// Metres along the surface that refracted light goes before it first collides, over the sine outside.
-float first_path() { return interior.boundary.z; }
+float first_path() { return interior.boundary.y; }
 
 /// Exitance per flux, 1/m2, at a squared distance; a: luminance of the part from deep inside (radial_kernel.h).
 vec4 kernel_at(float r2) {

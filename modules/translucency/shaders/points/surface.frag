@@ -2,7 +2,6 @@
 // the share of the pixel's own light that leaves where it entered, and what the points gathered.
 #include "render/shaders/frame.glsl"
 #include "render/shaders/gbuffer.glsl"
-#include "render/shaders/specular_table.glsl"
 #include "translucency/interior.glsl"
 
 in vec4 v_others;
@@ -18,15 +17,11 @@ void main() {
     float depth = texelFetch(scene_depth, pixel, 0).x;
     // another surface is in front
     if (depth <= 0.0 || abs(view_depth(depth) * gl_FragCoord.w - 1.0) > 5e-4) discard;
-    LitPoint point = decode_lit_point(texelFetch(gbuffer_normal, pixel, 0));
+    vec3 normal = decode_lit_point(texelFetch(gbuffer_normal, pixel, 0)).normal;
     vec2 uv = gl_FragCoord.xy / frame.size_time.xy;
-    float cosine = standard_nov(point.normal, -eye_ray(uv));
-    // what the compose pass will multiply by
-    float eta = interior_eta();
-    StandardMaterial boundary = standard_material(interior.base_entering.rgb, 0.0, eta, interior.boundary.y, vec3(1.0));
-    vec2 table = specular_table_at(cosine, point.roughness);
-    vec3 base = boundary.base_color * (vec3(1.0) - standard_specular_albedo(boundary.f0, boundary.f90, table));
-    vec3 scale = 1.0 / max(base, vec3(1e-4));
+    float cosine = standard_nov(normal, -eye_ray(uv));
+    // The compose pass multiplies by the base and by what the mirror lets through, which is how light passes outward.
+    vec3 scale = 1.0 / (max(interior.base_entering.rgb, vec3(1e-4)) * mean_entering());
     vec3 near = near_pattern(cosine);
     gathered = vec4(scale * mix(near, deep_pattern(cosine), v_others.a) * v_others.rgb, 0.0);
     kept = vec4(scale * near * v_own, 1.0);
