@@ -42,11 +42,12 @@ def statue():
     return points / 100, faces
 
 
-MADE = dict(torus=vessels.torus, candle=vessels.candle, bowl=bowl, figure=statue)
+MADE = dict(torus=vessels.torus, candle=vessels.candle, tall_candle=vessels.tall_candle, bowl=bowl, figure=statue, pedestal=vessels.pedestal)
+OPEN = ["pedestal"]
 
 FOLDER.mkdir(exist_ok=True)
 names = sys.argv[1:] or list(MADE)
 for name in names:
-    points, faces, *normals = MADE[name]()
-    ply.write(FOLDER / f"{name}.ply", points, faces, normals[0] if normals else ply.face_normals(points, faces))
-subprocess.run([*BLENDER, str(HERE / "checks.py"), "--", *(str(FOLDER / f"{n}.ply") for n in names)], check=True)
+    points, faces, *more = MADE[name]()
+    ply.write(FOLDER / f"{name}.ply", points, faces, *(more or [ply.face_normals(points, faces)]))
+subprocess.run([*BLENDER, str(HERE / "checks.py"), "--", *(str(FOLDER / f"{n}.ply") for n in names if n not in OPEN)], check=True)

@@ -1,22 +1,25 @@
-"""Binary PLY of triangles with normals, in metres."""
+"""Binary PLY of triangles with normals, and perhaps UVs, in metres."""
 import numpy as np
 
 VERTEX = np.dtype([("place", "<f4", 3), ("normal", "<f4", 3)])
 FACE = np.dtype([("count", "u1"), ("corner", "<i4", 3)])
 
 
-def write(path, points, faces, normals):
-    vertex, face = np.empty(len(points), VERTEX), np.empty(len(faces), FACE)
+def write(path, points, faces, normals, uvs=None):
+    kind = VERTEX if uvs is None else np.dtype(VERTEX.descr + [("uv", "<f4", 2)])
+    vertex, face = np.empty(len(points), kind), np.empty(len(faces), FACE)
     vertex["place"], vertex["normal"] = points, normals
+    if uvs is not None:
+        vertex["uv"] = uvs
     face["count"], face["corner"] = 3, faces
-    names = "".join(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz"))
+    names = "".join(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz", "u", "v")[:len(kind.descr) * 3 - (uvs is not None)])
     header = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\n{names}element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
     with open(path, "wb") as out:
         out.write(header.encode() + vertex.tobytes() + face.tobytes())
 
 
 def read(path):
-    """Points and faces of a file that `write` made."""
+    """Points and faces of a file that `write` made without UVs."""
     with open(path, "rb") as f:
         text = f.read()
     end = text.index(b"end_header\n") + len(b"end_header\n")
