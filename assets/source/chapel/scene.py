@@ -40,7 +40,7 @@ def entities():
         found.append(dict(name=f"Standing candle {side}", transform=dict(translation=numbers([x, things.ALTAR_FLOOR + 1.83, things.ALTAR_Z + .75])),
                           point_light=dict(intensity_cd=2.5, colour=warm, range_m=4.0)))
     found.append(dict(name="Altar flame", transform=dict(translation=numbers(np.array(things.PILLAR) + [0, .128, 0])),
-                      point_light=dict(intensity_cd=1.2, colour=warm, range_m=1.2)))
+                      point_light=dict(intensity_cd=1.2, colour=warm, range_m=1.2, shadow=dict(size=256))))
     found += translucent()
     for name, (eye, target, fov, ev) in views.CAMERAS.items():
         found.append(dict(name=name, transform=dict(translation=list(eye), look_at=list(target)), camera=dict(vertical_fov_deg=fov, ev100=ev, near_m=0.1)))
