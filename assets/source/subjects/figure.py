@@ -155,7 +155,7 @@ def distance(p):
 
 
 def detail(points):
-    """How much of its triangles a place keeps, in [0, 1]: the face and the hands most."""
+    """How much of its triangles a place keeps, in [0, 1]: the face and the hands most, then the wings."""
     face, hands = points - np.array([0.6, 39.0, 2.5]), points - np.array([0, 32.4, 5.4])
     near = np.minimum(np.sqrt((face ** 2).sum(-1)) - 3.0, np.sqrt((hands ** 2).sum(-1)) - 2.6)
-    return np.where(near < 0, 1.0, np.where(near < 1, 0.6, 0.3))
+    return np.where(near < 0, 0.95, np.where(np.abs(points[:, 0]) > 7.5, 0.45, 0.25))

@@ -70,9 +70,9 @@ def _arm(t):
 
 def _feathered(q):
     d = np.full(len(q), 0.8, np.float32)
-    d = row(d, q, _arm, TIPS, 15, 0.95, 0.17, 0.0, 0.015, 0.05)
-    d = row(d, q, _arm, MIDDLE, 14, 0.85, 0.16, 0.27, 0.02, 0.04)
-    d = row(d, q, _arm, SHORT, 13, 0.72, 0.15, 0.54, 0.02, 0.04)
+    d = row(d, q, _arm, TIPS, 15, 0.95, 0.17, 0.0, 0.015, 0.10)
+    d = row(d, q, _arm, MIDDLE, 14, 0.85, 0.16, 0.27, 0.02, 0.10)
+    d = row(d, q, _arm, SHORT, 13, 0.72, 0.15, 0.54, 0.02, 0.10)
     bones = [np.append(along(ARM, t), 0) for t in np.linspace(0, 1, 9)]
     bone = chain(q, bones, [1.0, 0.95, 0.9, 0.85, 0.8, 0.75, 0.66, 0.55, 0.4], 0.1)
     scale = 0.07 * np.abs(np.sin(4.2 * (q[:, 0] + 0.4 * q[:, 1])) * np.sin(3.1 * (q[:, 1] - 0.5 * q[:, 0])))

@@ -13,7 +13,7 @@ import numpy as np
 HERE = pathlib.Path(__file__).resolve().parent
 FOLDER = HERE.parents[1] / "subjects"
 BLENDER = ["blender", "-b", "-noaudio", "--python-exit-code", "1", "-P"]
-FIGURE_CELL_CM, FIGURE_TRIANGLES, BOWL_TRIANGLES = 0.09, 72000, 40000
+FIGURE_CELL_CM, FIGURE_TRIANGLES, BOWL_TRIANGLES = 0.09, 80000, 40000
 sys.path.insert(0, str(HERE))
 import figure  # noqa: E402
 import ply  # noqa: E402
