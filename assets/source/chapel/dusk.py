@@ -16,7 +16,7 @@ import imageio  # noqa: E402
 import scene  # noqa: E402
 
 gobo.WIDTH, gobo.HEIGHT = 1024, 512
-EV = {"Nave": 5.3, "Altar": 4.0, "Aisle": 4.6, "Window": 6.0, "Basin": 4.6, "Vault": 4.6, "Fly-through": 5.0}
+EV = {"Nave": 5.3, "Altar": 4.0, "Aisle": 4.6, "Window": 6.0, "Basin": 4.6, "Statue": 5.0, "Altar still life": 4.0, "Vault": 4.6, "Fly-through": 5.0}
 GLOW = [dict(nodes="glass_south*", factor=[0.10, 0.056, 0.03]), dict(nodes="glass_*", factor=[0.030, 0.036, 0.055])]
 CANDLES = 3.0  # all candles are lit
 

@@ -4,6 +4,8 @@ import pathlib
 import re
 import sys
 
+import numpy as np
+
 import gobo
 import plan
 import things
@@ -37,11 +39,38 @@ def entities():
     for side, x in (("north", -1.65), ("south", 1.65)):
         found.append(dict(name=f"Standing candle {side}", transform=dict(translation=numbers([x, things.ALTAR_FLOOR + 1.83, things.ALTAR_Z + .75])),
                           point_light=dict(intensity_cd=2.5, colour=warm, range_m=4.0)))
+    found.append(dict(name="Altar flame", transform=dict(translation=numbers(np.array(things.PILLAR) + [0, .128, 0])),
+                      point_light=dict(intensity_cd=1.2, colour=warm, range_m=1.2, shadow=dict(size=256))))
+    found += translucent()
     for name, (eye, target, fov, ev) in views.CAMERAS.items():
         found.append(dict(name=name, transform=dict(translation=list(eye), look_at=list(target)), camera=dict(vertical_fov_deg=fov, ev100=ev, near_m=0.1)))
     eye, target = views.FLY[0]
     found.append(dict(name="Fly-through", transform=dict(translation=list(eye), look_at=list(target)), camera=dict(vertical_fov_deg=58, ev100=8.0, near_m=0.1),
                       camera_path=dict(duration_s=40, points=[dict(position=list(p), look_at=list(q)) for p, q in views.FLY])))
+    return found
+
+
+def translucent():
+    """What light passes through: it shines as `tyndall trace` says, and plainly where no module does better."""
+    plain = dict(marble=[0.8, 0.77, 0.73], wax=[0.83, 0.76, 0.62], jade=[0.27, 0.46, 0.36])
+
+    def thing(name, mesh, place, interior, **more):
+        return dict(name=name, transform=dict(translation=numbers(place)) | more, mesh=dict(file=f"assets:subjects/{mesh}.ply"),
+                    material=dict(base_colour=plain[interior["preset"]], roughness=interior["roughness"]), interior=interior)
+
+    found = []
+    for side, x in (("north", -1.65), ("south", 1.65)):
+        foot = [x, things.ALTAR_FLOOR + things.STANDING_CANDLE, things.ALTAR_Z + .75]
+        found.append(thing(f"Wax {side}", "tall_candle", foot, dict(preset="wax", roughness=0.4)))
+    found.append(thing("Wax pillar", "candle", things.PILLAR, dict(preset="wax", roughness=0.4)))
+    x, y, z = things.STATUE
+    turn = numbers([0, np.sin(things.STATUE_TURN / 2), 0, np.cos(things.STATUE_TURN / 2)], 7)
+    found.append(dict(name="Pedestal", transform=dict(translation=numbers([x, plan.CHANCEL_FLOOR, z]), rotation=turn), mesh=dict(file="assets:subjects/pedestal.ply"),
+                      material=dict(base_colour_texture="textures/dressed_color.jpg", normal_texture="textures/dressed_normal.jpg",
+                                    metallic_roughness_texture="textures/dressed_orm.jpg", occlusion_texture="textures/dressed_orm.jpg",
+                                    roughness=1.0, metallic=1.0, uv_scale=[0.5, 0.5])))
+    found.append(thing("Marble figure", "figure", [x, plan.CHANCEL_FLOOR + y, z], dict(preset="marble", roughness=0.45), rotation=turn))
+    found.append(thing("Jade bowl", "bowl", things.BOWL, dict(preset="jade", roughness=0.25)))
     return found
 
 
@@ -59,7 +88,7 @@ def pretty(value, depth=0, width=150):
 
 
 def write(target, found):
-    scene = dict(tyndall=1, modules=["participating_media"], render=dict(path="deferred", view="ACES 1.0 SDR", camera="Nave", participating_media=dict(resolution="half", steps=12)), entities=found)
+    scene = dict(tyndall=1, modules=["participating_media"], render=dict(path="deferred", view="ACES 1.0 SDR", camera="Nave", participating_media=dict(resolution="half", steps=16, temporal=True)), entities=found)
     text = pretty(scene) + "\n"
     assert json.loads(text) == scene
     target.write_text(text)

@@ -8,8 +8,11 @@ from mesh import unit
 
 ALTAR_Z, ALTAR_FLOOR = -8.3, plan.CHANCEL_FLOOR + 0.16
 ALTAR_TOP = ALTAR_FLOOR + 0.98
+STANDING_CANDLE = 1.334   # its foot over the altar's floor
 FONT = np.array([-2.3, 0.0, 8.0])
 WATER_LEVEL = 0.965
+STATUE, STATUE_TURN = (-2.65, 1.0, -8.6), np.radians(43)  # its foot over the chancel's floor; it looks into the nave
+BOWL, PILLAR = (0.60, ALTAR_TOP + 0.005, ALTAR_Z + 0.24), (0.80, ALTAR_TOP + 0.005, ALTAR_Z + 0.17)
 CHANDELIERS = [(0, 4.1, 4.0), (0, 4.1, -4.0)]
 FLAMES = {"altar": [], "chandelier": []}
 
@@ -46,10 +49,14 @@ def candle(wax, flame, foot, height, radius, rng, key):
         drip = 1 + (.06 * np.maximum(np.cos(3 * th + rng.uniform(0, 6)), 0) ** 6 if k in (1, 2) else 0)
         p.append(np.stack([r * drip * np.cos(th), h + wave, r * drip * np.sin(th)], -1))
     wax.grid(np.array(p) + foot, away=np.asarray(foot) + [0, height / 2, 0])
+    burning(flame, np.asarray(foot) + [0, height - .006, 0], key)
+
+
+def burning(flame, top, key):
+    """A flame that stands at `top`."""
     t = np.linspace(0, 1, 10)
     r = .011 * np.sin(np.pi * t ** .62) ** .9 * (1 - .35 * t)
     r[0] = r[-1] = 0
-    top = np.asarray(foot) + [0, height - .006, 0]
     lathe(flame, np.stack([r, t * .062], -1), top, 12)
     FLAMES[key].append((top + [0, .03, 0]).tolist())
 
@@ -89,7 +96,8 @@ def altar(stone, dressed, linen, brocade, brass, wax, flame):
     for x in (-1.65, 1.65):
         foot = np.array([x, ALTAR_FLOOR, z + .75])
         candlestick(brass, foot, 1.35)
-        candle(wax, flame, foot + [0, 1.35, 0], .42, .022, rng, "altar")
+        burning(flame, foot + [0, STANDING_CANDLE + .482, 0], "altar")   # in the hollow of subjects/tall_candle.ply, which the scene puts here
+    burning(flame, np.array(PILLAR) + [0, .099, 0], "altar")   # in that of subjects/candle.ply
     _cross(brass, top, z)
 
 
