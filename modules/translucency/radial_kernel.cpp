@@ -13,6 +13,37 @@ constexpr int kBeamSources = 32;
 /// Light that leaves so many mean free paths from where it entered has forgotten where that was (by 1 - 1/e).
 constexpr double kDeepPaths = 4.0;
 
+using Gaussians = std::array<double, RadialKernel::kGaussians>;
+
+/// Of a sum of Gaussians with weights that are not negative.
+class NormalEquations {
+ public:
+    /// At a place: the Gaussians there, what they should sum up to, and how much an error there counts.
+    void add(Gaussians basis, double wanted, double scale) {
+        for (double& value : basis) value *= scale;
+        for (size_t k = 0; k < basis.size(); ++k) {
+            right_[k] += basis[k] * wanted * scale;
+            for (size_t j = 0; j < basis.size(); ++j) left_[k][j] += basis[k] * basis[j];
+        }
+    }
+    /// By descent along one coordinate after the other.
+    [[nodiscard]] Gaussians solve() const {
+        constexpr int kSweeps = 6000;
+        Gaussians w{};
+        for (int sweep = 0; sweep < kSweeps; ++sweep)
+            for (size_t k = 0; k < w.size(); ++k) {
+                double slope = right_[k];
+                for (size_t j = 0; j < w.size(); ++j) slope -= left_[k][j] * w[j];
+                w[k] = std::max(0.0, w[k] + slope / left_[k][k]);
+            }
+        return w;
+    }
+
+ private:
+    std::array<Gaussians, RadialKernel::kGaussians> left_{};
+    Gaussians right_{};
+};
+
 }  // namespace
 
 glm::vec3 Optics::albedo() const {
@@ -47,9 +78,10 @@ RadialKernel::RadialKernel(const Optics& optics, Model model, Scaling scaling, f
     integrate(optics, model);
     const glm::dvec3 all = within_.back();
     returned_ = glm::vec3(all);
-    if (scaling == Scaling::exact)
-        for (glm::dvec3& share : within_) share /= glm::max(all, glm::dvec3(1e-12));
     const glm::vec3 extinction = optics.sigma_s_reduced + optics.sigma_a;
+    const glm::dvec3 scale = scaling == Scaling::exact ? 1.0 / glm::max(all, glm::dvec3(1e-12)) : glm::dvec3(1.0);
+    for (glm::dvec3& share : within_) share *= scale;
+    far_ = [=](float r) { return glm::vec3(scale * glm::dvec3(exitance(model, optics, r))); };
     fit(kDeepPaths * 3.0 / double(extinction.x + extinction.y + extinction.z));
 }
 
@@ -78,6 +110,7 @@ glm::dvec3 RadialKernel::within(double r) const {
 glm::vec3 RadialKernel::exact(float distance) const {
     constexpr int kRings = 48;
     const double r = double(distance), radius = piece_radius_;
+    if (r > 6.0 * radius) return far_(distance);
     glm::dvec3 sum = r < radius ? within(radius - r) : glm::dvec3(0.0);
     const double low = std::abs(r - radius), high = r + radius;
     glm::dvec3 before = within(low);
@@ -91,40 +124,26 @@ glm::vec3 RadialKernel::exact(float distance) const {
     return glm::vec3(sum / (std::numbers::pi * radius * radius));
 }
 
-/// Least squares with weights that are not negative, by descent along one coordinate after the other. Errors count
-/// relative to the kernel, where there is light, from a part of the piece to sixteen octaves of r^2 on.
+/// Least squares with errors relative to the kernel, where there is light: from a part of the piece to 250 pieces away.
 void RadialKernel::fit(double deep_path) {
-    constexpr int kPlaces = 96, kSweeps = 400;
-    const double narrowest = 2.0 / (piece_radius_ * piece_radius_);
+    constexpr int kPlaces = 96;
+    const double narrowest = 1.0 / (piece_radius_ * piece_radius_);
     rate_ = float(std::ldexp(narrowest, 1 - kGaussians));
-    std::vector<std::array<double, kGaussians>> basis(kPlaces);
-    std::vector<glm::dvec4> wanted(kPlaces);
+    std::array<NormalEquations, 4> equations;
+    glm::dvec4 most(0.0);
     for (int i = 0; i < kPlaces; ++i) {
-        const double r = 0.2 * piece_radius_ * std::pow(1500.0, double(i) / (kPlaces - 1));
-        const glm::dvec3 value = glm::max(glm::dvec3(exact(float(r))), glm::dvec3(1e-300));
+        const double r = 0.2 * piece_radius_ * std::pow(1250.0, double(i) / (kPlaces - 1));
+        const glm::dvec3 value(exact(float(r)));
         const double deep = 1.0 - std::exp(-r / deep_path);
-        wanted[size_t(i)] = glm::dvec4(value, deep * glm::dot(value, glm::dvec3(0.2126, 0.7152, 0.0722)));
-        for (int k = 0; k < kGaussians; ++k)
-            basis[size_t(i)][size_t(k)] = std::exp(-std::ldexp(narrowest, -k) * r * r);
+        const glm::dvec4 wanted(value, deep * glm::dot(value, glm::dvec3(0.2126, 0.7152, 0.0722)));
+        if (i == 0) most = glm::dvec4(value, value.y);
+        Gaussians basis;
+        for (size_t k = 0; k < basis.size(); ++k) basis[k] = std::exp(-std::ldexp(narrowest, -int(k)) * r * r);
+        for (int c = 0; c < 4; ++c) equations[size_t(c)].add(basis, wanted[c], 1.0 / (wanted[c] + 1e-9 * most[c] + 1e-300));
     }
-    for (int channel = 0; channel < 4; ++channel) {
-        const double most = wanted[0][channel];
-        std::array<double, kGaussians> w{}, norm{};
-        std::vector<double> left(kPlaces), scale(kPlaces);
-        for (size_t i = 0; i < kPlaces; ++i) {
-            scale[i] = 1.0 / (wanted[i][channel] + 1e-9 * most + 1e-300);
-            left[i] = wanted[i][channel] * scale[i];
-            for (size_t k = 0; k < kGaussians; ++k) norm[k] += basis[i][k] * basis[i][k] * scale[i] * scale[i];
-        }
-        for (int sweep = 0; sweep < kSweeps; ++sweep)
-            for (size_t k = 0; k < kGaussians; ++k) {
-                double slope = 0.0;
-                for (size_t i = 0; i < kPlaces; ++i) slope += left[i] * basis[i][k] * scale[i];
-                const double now = std::max(0.0, w[k] + slope / norm[k]), change = now - w[k];
-                for (size_t i = 0; i < kPlaces; ++i) left[i] -= change * basis[i][k] * scale[i];
-                w[k] = now;
-            }
-        for (size_t k = 0; k < kGaussians; ++k) weights_[k][channel] = float(w[k]);
+    for (int c = 0; c < 4; ++c) {
+        const Gaussians weights = equations[size_t(c)].solve();
+        for (size_t k = 0; k < weights.size(); ++k) weights_[k][c] = float(weights[k]);
     }
 }
 

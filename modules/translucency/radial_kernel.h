@@ -2,7 +2,7 @@
 /// A model of diffusion as a table over the distance.
 
 #include <array>
-#include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
@@ -57,6 +57,7 @@ class RadialKernel {
     double first_ = 0.0, step_ = 0.0;  ///< log of the distances of `within_`
     std::vector<glm::dvec3> within_;   ///< share that leaves nearer than that
     double piece_radius_ = 0.0;
+    std::function<glm::vec3(float)> far_;  ///< the model where the piece is as good as a point
     std::array<glm::vec4, kGaussians> weights_{};
     float rate_ = 0.0f;
     glm::vec3 returned_{0.0f};

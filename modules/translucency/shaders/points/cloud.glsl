@@ -11,7 +11,8 @@ layout(local_size_x = 64) in;
 
 layout(std430) readonly buffer Pieces { vec4 pieces[]; };  // two a point: place, area; normal. Of the mesh's own space
 // Nodes' light lies in images: of all ways to read it this is the quickest where a CPU renders.
-//  places: world, the middle of the light that entered; of points w: luminance of what entered
+//  places: world, the middle of the light that entered; w: of points luminance of what entered, of
+//   groups the variance of its place along an axis of the surface, m2
 //  fluxes: rgb flux that has entered and leaves somewhere, lm; of points w: illuminance that arrived
 #ifndef NODES_READ
 layout(rgba32f) uniform image2D node_places;

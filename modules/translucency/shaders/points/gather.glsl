@@ -16,12 +16,19 @@ struct Exitances {
 };
 vec4 exitance_of(Exitances all, uint i) { return vec4(all.red[i], all.green[i], all.blue[i], all.deep[i]); }
 
-#define GAUSSIAN(k) w = interior.kernel[k]; \
-    kernel.red += w.r * g; kernel.green += w.g * g; kernel.blue += w.b * g; kernel.deep += w.a * g; g *= g;
+// Each Gaussian's rate is twice that of the one before, k r^2 with it.
+#define GAUSSIAN(k) w = interior.kernel[k]; wide = g + g * spread * (kSpread * rates - 1.0); \
+    kernel.red += w.r * wide; kernel.green += w.g * wide; kernel.blue += w.b * wide; kernel.deep += w.a * wide; \
+    g *= g; rates += rates; spread += spread;
 
-Exitances kernels_at(vec4 r2) {
-    vec4 g = exp2(-1.44269504 * interior.kernel_rate.x * r2);
-    vec4 w;
+/// At four squared distances, by a group of nodes whose places vary by `variance` along each axis of the surface: to the
+/// second order, the Gaussians' Laplacian there. Groups are seen neither edge-on nor face-on but in between: kSpread is 1
+/// where they lie along the way to them, 0 where they face it.
+const float kSpread = 0.75;
+Exitances kernels_at(vec4 r2, float variance) {
+    vec4 rates = interior.kernel_rate.x * r2;
+    vec4 g = exp2(-1.44269504 * rates), wide, w;
+    float spread = 2.0 * interior.kernel_rate.x * variance;
     Exitances kernel = Exitances(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     GAUSSIAN(15) GAUSSIAN(14) GAUSSIAN(13) GAUSSIAN(12) GAUSSIAN(11) GAUSSIAN(10) GAUSSIAN(9) GAUSSIAN(8)
     GAUSSIAN(7) GAUSSIAN(6) GAUSSIAN(5) GAUSSIAN(4) GAUSSIAN(3) GAUSSIAN(2) GAUSSIAN(1) GAUSSIAN(0)
@@ -48,9 +55,9 @@ Four four_of_thread(uint first) {
     return four;
 }
 
-void add_node(inout Four four, uint node, vec3 place, vec4 flux) {
+void add_node(inout Four four, uint node, vec4 place, vec4 flux) {
     vec4 dx = four.x - place.x, dy = four.y - place.y, dz = four.z - place.z;
-    Exitances kernel = kernels_at(dx * dx + dy * dy + dz * dz);
+    Exitances kernel = kernels_at(dx * dx + dy * dy + dz * dz, place.w);
     vec4 other = mix(vec4(1.0), vec4(0.0), equal(four.points, uvec4(node)));
     four.sum.red += flux.r * other * kernel.red;
     four.sum.green += flux.g * other * kernel.green;
@@ -61,7 +68,8 @@ void add_node(inout Four four, uint node, vec3 place, vec4 flux) {
 void add_node(inout Four low, inout Four high, uint node) {
     vec3 flux = texelFetch(node_fluxes, node_texel(node), 0).rgb;
     if (flux == vec3(0.0)) return;
-    vec3 place = texelFetch(node_places, node_texel(node), 0).xyz;
+    vec4 place = texelFetch(node_places, node_texel(node), 0);
+    place.w = node < point_count ? 0.0 : place.w;
     vec4 all = vec4(flux, luminance(flux));
     add_node(low, node, place, all);
     add_node(high, node, place, all);

@@ -13,6 +13,7 @@ void main() {
     uint count = 1u << levels;
     vec3 fluxes[8];
     vec3 places[8];
+    float spreads[8];
 #ifdef DIRECTIONS
     vec3 directions[8];
     vec3 normals[8];
@@ -20,7 +21,9 @@ void main() {
     for (uint i = 0u; i < count; ++i) {
         ivec2 texel = node_texel(level_begins[0] + n * count + i);
         fluxes[i] = imageLoad(node_fluxes, texel).rgb;
-        places[i] = imageLoad(node_places, texel).xyz;
+        vec4 place = imageLoad(node_places, texel);
+        places[i] = place.xyz;
+        spreads[i] = level_begins[0] == 0u ? 0.0 : place.w;
 #ifdef DIRECTIONS
         vec4 direction = imageLoad(node_directions, texel);
         directions[i] = direction.xyz;
@@ -34,9 +37,11 @@ void main() {
             float share = b / (a + b);
             ivec2 texel = node_texel(level_begins[level] + n * count + i);
             fluxes[i] = fluxes[2u * i] + fluxes[2u * i + 1u];
-            places[i] = mix(places[2u * i], places[2u * i + 1u], share);
+            vec3 apart = places[2u * i + 1u] - places[2u * i];
+            places[i] = places[2u * i] + share * apart;
+            spreads[i] = mix(spreads[2u * i], spreads[2u * i + 1u], share) + 0.5 * share * (1.0 - share) * dot(apart, apart);
             imageStore(node_fluxes, texel, vec4(fluxes[i], 0.0));
-            imageStore(node_places, texel, vec4(places[i], 0.0));
+            imageStore(node_places, texel, vec4(places[i], spreads[i]));
 #ifdef DIRECTIONS
             directions[i] = mix(directions[2u * i], directions[2u * i + 1u], share);
             normals[i] = mix(normals[2u * i], normals[2u * i + 1u], share);
