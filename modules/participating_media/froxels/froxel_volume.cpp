@@ -8,8 +8,9 @@ namespace {
 /// 32 bits: sunlight beside a lamp passes the range of half floats, and the mean over frames must not round.
 constexpr gpu::Format kFormat = gpu::Format::rgba32f;
 
+/// As shaders/froxels/grid.glsl's froxel_place lays it out.
 gpu::Texture volume(const glm::ivec3& size, std::string_view label) {
-    return {{.shape = gpu::Shape::volume, .format = kFormat, .width = size.x, .height = size.y, .layers = size.z},
+    return {{.shape = gpu::Shape::volume, .format = kFormat, .width = size.z, .height = size.x, .layers = size.y},
             label};
 }
 
@@ -17,7 +18,7 @@ gpu::Texture volume(const glm::ivec3& size, std::string_view label) {
 
 bool FroxelVolume::make(bool history) {
     const gpu::TextureDesc& has = source[0].desc();
-    const bool fits = source[0].name() != 0 && glm::ivec3(has.width, has.height, has.layers) == grid.size;
+    const bool fits = source[0].name() != 0 && glm::ivec3(has.height, has.layers, has.width) == grid.size;
     if (fits && (source[1].name() != 0) == history) return false;
     const gpu::TextureDesc flat{.format = kFormat, .width = grid.size.x, .height = grid.size.y};
     gpu::TextureDesc single = flat;

@@ -33,7 +33,7 @@ vec4 reprojected(vec3 p, out float between) {
     vec3 mixed = 4.0 * f * (1.0 - f);
     between = max(mixed.x, mixed.y);
     bool inside = clip.w > history_depths.x && all(greaterThanEqual(place, vec3(0.0))) && all(lessThanEqual(place, vec3(1.0)));
-    return inside ? textureLod(history, place, 0.0) : vec4(0.0);
+    return inside ? textureLod(history, place.zxy, 0.0) : vec4(0.0);
 }
 
 vec3 froxel_middle(ivec3 froxel) {
@@ -54,7 +54,7 @@ void begin(ivec3 froxel) {
     float angle = length(normalize(p - frame.eye_near.xyz) - normalize(p - history_eye));
     float faded = max(kFadePerRadian * angle, kFadeBetween * between);
 #else
-    vec4 old = imageLoad(history_froxels, froxel);
+    vec4 old = imageLoad(history_froxels, froxel_place(froxel));
     float faded = 0.0;
 #endif
     bool holds = seen && old.a >= 1.0;
@@ -64,7 +64,7 @@ void begin(ivec3 froxel) {
     float weight = min(max(max(before / (1.0 + before), least_weight), faded), 1.0);
     source = holds ? vec4(old.rgb * (1.0 - weight), 1.0 + weight) : source;
 #endif
-    imageStore(froxel_source, froxel, source);
+    imageStore(froxel_source, froxel_place(froxel), source);
 }
 
 void main() {

@@ -29,7 +29,7 @@ void main() {
     FroxelRay ray = froxel_ray(first, column, 0), far = froxel_ray(column.yz, column.x);
     float z0 = froxel_depth(float(first.z) / float(froxel_size.z));
     for (int k = 0; k < slices; ++k) {
-        ivec3 index = first + ivec3(0, 0, k);
+        ivec3 index = froxel_place(first + ivec3(0, 0, k));
         float z1 = froxel_end(z0);
         if (z0 > ray.surface) ray = far;
         vec4 froxel = imageLoad(froxel_source, index);

@@ -15,5 +15,8 @@ float froxel_end(float depth) { return depth + froxel_step * (depth - froxel_dep
 // A thread looks at so many slices: software renderers take long to begin one.
 const int kSlicesAThread = 8;
 
+// Where a froxel lies in its texture. A column lies together: renderers on processors spend their time waiting for memory.
+ivec3 froxel_place(ivec3 froxel) { return froxel.zxy; }
+
 // Pixels below a column: from here to the next one's.
 ivec2 froxel_pixel(ivec2 column) { return column * ivec2(frame.size_time.xy) / froxel_size.xy; }

@@ -18,13 +18,13 @@ void main() {
     vec3 direction = to_plane / slope, origin = frame.eye_near.xyz;
     float t = froxel_depths.x * slope;
     vec3 radiance = vec3(0.0), before = media_transmittance(origin, direction, 0.0, t);
-    imageStore(froxel_radiance, ivec3(column, 0), vec4(radiance, dot(before, vec3(1.0 / 3.0))));
+    imageStore(froxel_radiance, froxel_place(ivec3(column, 0)), vec4(radiance, dot(before, vec3(1.0 / 3.0))));
     for (int k = 0; k < froxel_size.z; ++k) {
         float next = t + froxel_step * (t + (froxel_depths.y - froxel_depths.x) * slope);
         vec3 depth = media_optical_depth(origin, direction, t, next, 1);
-        radiance += before * imageLoad(froxel_source, ivec3(column, k)).rgb * mean_transmittance(depth) * (next - t);
+        radiance += before * imageLoad(froxel_source, froxel_place(ivec3(column, k))).rgb * mean_transmittance(depth) * (next - t);
         before *= exp(-depth);
         t = next;
-        imageStore(froxel_radiance, ivec3(column, k + 1), vec4(radiance, dot(before, vec3(1.0 / 3.0))));
+        imageStore(froxel_radiance, froxel_place(ivec3(column, k + 1)), vec4(radiance, dot(before, vec3(1.0 / 3.0))));
     }
 }

@@ -96,7 +96,7 @@ void main() {
         for (int r = 0; r < 2 * once && k < slices; ++r) {
             LitRay lit = lit_ray(ray);
             for (; k < slices && (z0 <= ray.surface || r == 1); ++k) {
-                ivec3 index = first + ivec3(0, 0, k);
+                ivec3 index = froxel_place(first + ivec3(0, 0, k));
                 float z1 = froxel_end(z0);
                 vec4 froxel = imageLoad(froxel_source, index);
                 int count = froxel_samples(froxel.a);
