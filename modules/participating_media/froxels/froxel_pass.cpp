@@ -11,7 +11,6 @@ namespace tyndall::participating_media {
 namespace {
 
 constexpr int kReferenceSamples = 16;
-constexpr int kSlicesAThread = 8;  ///< as in shaders/froxels/grid.glsl
 
 const gpu::Program& compute(PassContext& context, std::string_view shader, std::vector<std::string> defines = {}) {
     const gpu::Program& program =
@@ -58,8 +57,9 @@ void FroxelPass::execute(PassContext& context) {
 }
 
 void FroxelPass::dispatch(const glm::ivec3& froxels) const {
+    const int slices = volume_->slices_a_thread();
     glDispatchCompute(static_cast<GLuint>((froxels.x + 7) / 8), static_cast<GLuint>((froxels.y + 7) / 8),
-                      static_cast<GLuint>((froxels.z + kSlicesAThread - 1) / kSlicesAThread));
+                      static_cast<GLuint>((froxels.z + slices - 1) / slices));
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
@@ -99,6 +99,7 @@ void FroxelPass::bind_samples(const gpu::Program& program, PassContext& context)
     program.image("froxel_source", volume_->source[volume_->now], 0, true);
     program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
     program.image("froxel_columns", volume_->columns, 0, false);
+    program.image("froxel_reach", volume_->reach, 0, false);
     program.texture("phase_tables", media_->phase_tables(), {.filter = gpu::Filter::linear});
     program.image("blue_noise", blue_noise_, 0, false);
     program.set("once", 1);

@@ -32,8 +32,14 @@ bool FroxelVolume::make(bool history) {
     return true;
 }
 
+int FroxelVolume::slices_a_thread() const {
+    constexpr int kFew = 8;  // a graphics card wants many threads; a processor takes long to begin one
+    return gpu::shades_on_processor() ? grid.size.z : kFew;
+}
+
 void FroxelVolume::bind_grid(const gpu::Program& program) const {
     program.set("froxel_size", grid.size);
+    program.set("slices_a_thread", slices_a_thread());
     program.set("froxel_depths", grid.depths());
     program.set("froxel_step", std::exp(grid.growth / static_cast<float>(grid.size.z)) - 1.0f);
 }

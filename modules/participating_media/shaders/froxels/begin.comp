@@ -68,8 +68,8 @@ void begin(ivec3 froxel) {
 }
 
 void main() {
-    ivec3 first = ivec3(gl_GlobalInvocationID) * ivec3(1, 1, kSlicesAThread);
+    ivec3 first = ivec3(gl_GlobalInvocationID) * ivec3(1, 1, slices_a_thread);
     if (any(greaterThanEqual(first, froxel_size))) return;
-    int count = min(kSlicesAThread, froxel_size.z - first.z);
+    int count = min(slices_a_thread, froxel_size.z - first.z);
     for (int k = 0; k < count; ++k) begin(first + ivec3(0, 0, k));
 }

@@ -12,8 +12,7 @@ float froxel_share(float depth) { return log(1.0 + max(depth - froxel_depths.x, 
 // Where the slice ends that begins at a depth.
 float froxel_end(float depth) { return depth + froxel_step * (depth - froxel_depths.x + froxel_depths.y); }
 
-// A thread looks at so many slices: software renderers take long to begin one.
-const int kSlicesAThread = 8;
+uniform int slices_a_thread;  // FroxelVolume::slices_a_thread
 
 // Where a froxel lies in its texture. A column lies together: renderers on processors spend their time waiting for memory.
 ivec3 froxel_place(ivec3 froxel) { return froxel.zxy; }
