@@ -45,8 +45,8 @@ void FroxelPass::execute(PassContext& context) {
     if (blue_noise_.name() == 0) blue_noise_ = make_blue_noise();
     volume_->grid = fit_grid(settings_.froxels, frame, media_->media(), terms());
     const bool fresh = volume_->make(keeps_history());
-    if (keeps_history()) volume_->now = 1 - volume_->now;
     history_.update(frame, *media_, terms(), volume_->grid, keeps_history() && !fresh);
+    if (history_.kind() == 1) volume_->now = 1 - volume_->now;
     find_columns(context);
     begin_sources(context);
     add_lights(context);
@@ -85,9 +85,8 @@ void FroxelPass::begin_sources(PassContext& context) {
     history_.bind(program);
     program.image("froxel_source", volume_->source[volume_->now], 0, true);
     program.image("froxel_reach", volume_->reach, 0, false);
-    const gpu::Texture& old = volume_->source[keeps_history() ? 1 - volume_->now : volume_->now];
-    program.texture("history", old, {.filter = gpu::Filter::linear});
-    program.image("history_froxels", old, 0, false);
+    if (history_.kind() == 1)
+        program.texture("history", volume_->source[1 - volume_->now], {.filter = gpu::Filter::linear});
     dispatch(volume_->grid.size);
 }
 
