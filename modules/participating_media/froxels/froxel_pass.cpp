@@ -149,6 +149,7 @@ void FroxelPass::integrate(PassContext& context) {
     media_->bind(program, settings_.light_steps);
     program.image("froxel_source", volume_->source[volume_->now], 0, false);
     program.image("froxel_radiance", volume_->radiance, 0, true);
+    program.image("froxel_reach", volume_->reach, 0, false);
     const glm::ivec2 columns(volume_->grid.size);
     dispatch({columns, 1});
 }

@@ -28,6 +28,7 @@ bool FroxelVolume::make(bool history) {
     source[0] = volume(grid.size, "participating_media.froxel_source");
     source[1] = history ? volume(grid.size, "participating_media.froxel_source") : gpu::Texture();
     radiance = volume(grid.size + glm::ivec3(0, 0, 1), "participating_media.froxel_radiance");
+    radiance.clear(0, glm::vec4(0.0f));  // what nobody looks at is never written
     now = 0;
     return true;
 }
