@@ -101,7 +101,6 @@ void FroxelPass::bind_samples(const gpu::Program& program, PassContext& context)
     program.image("froxel_reach", volume_->reach, 0, false);
     program.texture("phase_tables", media_->phase_tables(), {.filter = gpu::Filter::linear});
     program.image("blue_noise", blue_noise_, 0, false);
-    program.set("once", 1);
     program.set("samples", settings.samples);
     program.set("samples_alone", alone);
     program.set("first_sample",

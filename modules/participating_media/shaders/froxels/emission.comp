@@ -24,6 +24,7 @@ void main() {
     ivec3 first = ivec3(gl_GlobalInvocationID) * ivec3(1, 1, slices_a_thread);
     if (any(greaterThanEqual(first, froxel_size))) return;
     int end = min(first.z + slices_a_thread, froxel_size.z);
+    float reach = imageLoad(froxel_reach, first.xy).x;
     vec4 column = imageLoad(froxel_columns, first.xy);
     FroxelRay far = froxel_ray(column.yz, column.x);
     float z0 = froxel_depth(float(first.z) / float(froxel_size.z));
@@ -41,5 +42,5 @@ void main() {
             z0 = z1;
         } while (++k < min(kSlicesARay, end - first.z));
         first.z += kSlicesARay;
-    } while (first.z < end);
+    } while (first.z < end && z0 < reach);
 }

@@ -17,17 +17,15 @@ vec3 source(FroxelRay ray, vec2 stretch, float along) {
         vec3 p = ray.origin + mix(t0, t1, along) * ray.direction;
         sum += inside ? share * medium_density(i, p) * media[i].sigma_s_phase.rgb * environment_scattered(i, p, ray.direction) : vec3(0.0);
     }
-    for (int k = 0; k < (sum == vec3(0.0) ? 0 : once); ++k) {
-        vec3 p = ray.origin + mix(stretch.x, stretch.y, along) * ray.direction;
-        sum *= environment_share(p) * environment_transmittance(p);
-    }
-    return sum;
+    vec3 p = ray.origin + mix(stretch.x, stretch.y, along) * ray.direction;
+    return sum * environment_share(p) * environment_transmittance(p);
 }
 
 void main() {
     ivec3 first = ivec3(gl_GlobalInvocationID) * ivec3(1, 1, slices_a_thread);
     if (any(greaterThanEqual(first, froxel_size))) return;
     int end = min(first.z + slices_a_thread, froxel_size.z);
+    float reach = imageLoad(froxel_reach, first.xy).x;
     vec4 column = imageLoad(froxel_columns, first.xy);
     FroxelRay far = froxel_ray(column.yz, column.x);
     float z0 = froxel_depth(float(first.z) / float(froxel_size.z));
@@ -47,5 +45,5 @@ void main() {
             z0 = z1;
         } while (++k < min(kSlicesARay, end - first.z));
         first.z += kSlicesARay;
-    } while (first.z < end);
+    } while (first.z < end && z0 < reach);
 }

@@ -12,7 +12,6 @@ layout(rgba32f) readonly uniform image2D froxel_columns;  // columns.comp
 layout(rg32f) readonly uniform image2D froxel_reach;      // reach.comp
 uniform int samples;        // of a froxel
 uniform int samples_alone;  // of one without history
-uniform int once;           // 1: a loop that may be left out, where compilers would make a branch of a known bound
 uniform int first_sample;   // of this frame, in the sequence; advances from frame to frame
 
 // So many slices are looked at along one ray, and the next along another: less grain in their sum.
