@@ -1,7 +1,7 @@
 // Adds one light's share to the froxels' source.
 //
-// A thread follows a ray through its slices: what depends on the ray alone is found once, and where the ray is outside of the
-// light's volume nothing is looked at.
+// A thread goes through the slices of its column that the light can reach. They are followed along one ray after another: what
+// depends on the ray alone is found once, and where it is outside of the light's volume nothing is looked at.
 #include "participating_media/froxels/sample.glsl"
 #include "participating_media/scattering.glsl"
 #include "render/shaders/lights.glsl"
