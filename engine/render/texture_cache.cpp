@@ -2,8 +2,6 @@
 
 #include <epoxy/gl.h>
 
-#include <string_view>
-
 namespace tyndall {
 namespace {
 
