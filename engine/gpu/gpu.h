@@ -240,6 +240,9 @@ class Framebuffer : public Handle {
     glm::ivec2 size_{0};
 };
 
+/// Whether shaders run on the processor (llvmpipe and its like): what is fast there is not what is fast on a GPU.
+[[nodiscard]] bool shades_on_processor();
+
 /// Time between begin and end, in milliseconds: timer queries on a GPU (a few frames late, without a stall), glFinish
 /// and the CPU clock on software renderers, whose timer queries lie (docs/performance.md). Timers may nest.
 class Timer {

@@ -2,8 +2,6 @@
 
 #include <epoxy/gl.h>
 
-#include <string_view>
-
 namespace tyndall {
 namespace {
 
@@ -39,11 +37,7 @@ gpu::Wrap wrap_of(TextureWrap wrap) {
 
 /// Four samples along the longer axis on a GPU; a software renderer pays for each.
 float anisotropy() {
-    static const float value = [] {
-        const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-        const bool software = renderer && std::string_view(renderer).find("llvmpipe") != std::string_view::npos;
-        return software ? 1.0f : 4.0f;
-    }();
+    static const float value = gpu::shades_on_processor() ? 1.0f : 4.0f;
     return value;
 }
 

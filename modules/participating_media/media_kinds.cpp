@@ -38,7 +38,10 @@ bool is_even(const Medium& medium) {
 
 std::string media_kinds(const std::vector<Medium>& media, const LightKinds& lights) {
     std::set<std::string> kinds;
-    for (const Medium& medium : media) add_kinds(kinds, medium.density);
+    for (const Medium& medium : media) {
+        add_kinds(kinds, medium.density);
+        if (medium.shape == MediumShape::ellipsoid) kinds.emplace("MEDIA_ELLIPSOIDS");
+    }
     if (lights.marched) kinds.emplace("MEDIA_SHADOWS_MARCHED");
     if (lights.opacity) kinds.emplace("MEDIA_SHADOWS_OPACITY");
     if (lights.fourier) kinds.emplace("MEDIA_SHADOWS_FOURIER");

@@ -106,13 +106,21 @@ vec3 light_irradiance(uint light, vec3 p, out vec3 to_light) {
     return intensity.rgb * share * light_gobo(light, p);
 }
 
-/// Narrows [t0, t1] of a ray (unit direction) to what the light can reach; false when nothing is left.
-bool light_segment(uint light, vec3 origin, vec3 direction, inout float t0, inout float t1) {
+/// Narrows [t0, t1] of a ray (unit direction) to what is within `margin` metres of what the light can reach; false when
+/// nothing is left.
+bool light_segment(uint light, vec3 origin, vec3 direction, float margin, inout float t0, inout float t1) {
     int kind = light_kind(light);
     if (kind == LIGHT_DIRECTIONAL) return t0 < t1;
     vec4 sphere = light_data(light).position_range;
-    if (sphere.w > 0.0 && !clip_to_sphere(origin, direction, sphere.xyz, sphere.w, t0, t1)) return false;
+    if (sphere.w > 0.0 && !clip_to_sphere(origin, direction, sphere.xyz, sphere.w + margin, t0, t1)) return false;
     float cos_outer = light_data(light).right_cos_outer.w;
     if (kind == LIGHT_POINT || cos_outer < 0.0872) return t0 < t1;  // such a wide cone is not clipped to
-    return clip_to_infinite_cone(origin, direction, sphere.xyz, light_data(light).direction_kind.xyz, cos_outer, t0, t1);
+    vec3 axis = light_data(light).direction_kind.xyz;
+    vec3 apex = sphere.xyz - margin * inversesqrt(max(1.0 - cos_outer * cos_outer, 1e-6)) * axis;
+    return clip_to_infinite_cone(origin, direction, apex, axis, cos_outer, t0, t1);
+}
+
+/// The same for what it can reach.
+bool light_segment(uint light, vec3 origin, vec3 direction, inout float t0, inout float t1) {
+    return light_segment(light, origin, direction, 0.0, t0, t1);
 }

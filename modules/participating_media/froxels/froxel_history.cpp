@@ -13,6 +13,7 @@ namespace {
 constexpr float kLeastWeight = 0.03f;         ///< of a frame in the mean over frames
 constexpr float kLeastWeightChanging = 0.5f;  ///< the same while media change
 constexpr glm::vec4 kEverywhere(0.0f, 0.0f, 0.0f, -1.0f);
+constexpr glm::vec4 kNowhere(1e30f, 0.0f, 0.0f, 0.0f);
 
 glm::vec4 reach_of(const GpuLight& light) {
     const bool bounded = light.position_range.w > 0.0f && light.direction_kind.w < 2.0f;
@@ -82,6 +83,7 @@ void FroxelHistory::update(const Frame& frame, const MediaBuffer& media, const s
     dirty_.clear();
     compare_lights(frame, terms);
     compare_casters(frame);
+    if (dirty_.empty()) dirty_.push_back(kNowhere);
     least_weight_ = media.bytes() == media_ ? kLeastWeight : kLeastWeightChanging;
     media_ = media.bytes();
 }

@@ -11,7 +11,6 @@ namespace tyndall::participating_media {
 namespace {
 
 constexpr int kReferenceSamples = 16;
-constexpr int kSlicesAThread = 8;  ///< as in shaders/froxels/grid.glsl
 
 const gpu::Program& compute(PassContext& context, std::string_view shader, std::vector<std::string> defines = {}) {
     const gpu::Program& program =
@@ -46,8 +45,8 @@ void FroxelPass::execute(PassContext& context) {
     if (blue_noise_.name() == 0) blue_noise_ = make_blue_noise();
     volume_->grid = fit_grid(settings_.froxels, frame, media_->media(), terms());
     const bool fresh = volume_->make(keeps_history());
-    if (keeps_history()) volume_->now = 1 - volume_->now;
     history_.update(frame, *media_, terms(), volume_->grid, keeps_history() && !fresh);
+    if (history_.kind() == 1) volume_->now = 1 - volume_->now;
     find_columns(context);
     begin_sources(context);
     add_lights(context);
@@ -58,8 +57,9 @@ void FroxelPass::execute(PassContext& context) {
 }
 
 void FroxelPass::dispatch(const glm::ivec3& froxels) const {
+    const int slices = volume_->slices_a_thread();
     glDispatchCompute(static_cast<GLuint>((froxels.x + 7) / 8), static_cast<GLuint>((froxels.y + 7) / 8),
-                      static_cast<GLuint>((froxels.z + kSlicesAThread - 1) / kSlicesAThread));
+                      static_cast<GLuint>((froxels.z + slices - 1) / slices));
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
@@ -85,9 +85,8 @@ void FroxelPass::begin_sources(PassContext& context) {
     history_.bind(program);
     program.image("froxel_source", volume_->source[volume_->now], 0, true);
     program.image("froxel_reach", volume_->reach, 0, false);
-    const gpu::Texture& old = volume_->source[keeps_history() ? 1 - volume_->now : volume_->now];
-    program.texture("history", old, {.filter = gpu::Filter::linear});
-    program.image("history_froxels", old, 0, false);
+    if (history_.kind() == 1)
+        program.texture("history", volume_->source[1 - volume_->now], {.filter = gpu::Filter::linear});
     dispatch(volume_->grid.size);
 }
 
@@ -99,9 +98,9 @@ void FroxelPass::bind_samples(const gpu::Program& program, PassContext& context)
     program.image("froxel_source", volume_->source[volume_->now], 0, true);
     program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
     program.image("froxel_columns", volume_->columns, 0, false);
+    program.image("froxel_reach", volume_->reach, 0, false);
     program.texture("phase_tables", media_->phase_tables(), {.filter = gpu::Filter::linear});
     program.image("blue_noise", blue_noise_, 0, false);
-    program.set("once", 1);
     program.set("samples", settings.samples);
     program.set("samples_alone", alone);
     program.set("first_sample",
@@ -149,6 +148,7 @@ void FroxelPass::integrate(PassContext& context) {
     media_->bind(program, settings_.light_steps);
     program.image("froxel_source", volume_->source[volume_->now], 0, false);
     program.image("froxel_radiance", volume_->radiance, 0, true);
+    program.image("froxel_reach", volume_->reach, 0, false);
     const glm::ivec2 columns(volume_->grid.size);
     dispatch({columns, 1});
 }

@@ -15,6 +15,8 @@ struct FroxelVolume {
     int now = 0;             ///< which of the two is this frame's
     gpu::Texture radiance;   ///< shaders/froxels/integrate.comp
 
+    /// Slices of a column that a thread of the compute shaders goes through.
+    [[nodiscard]] int slices_a_thread() const;
     /// Makes the textures for the grid's size; true when they are new. `history` = both sources are needed.
     bool make(bool history);
     /// Sets what shaders/froxels/read.glsl declares, and whether there are froxels.

@@ -1,8 +1,8 @@
 // All media of the frame, and what they do along a straight line. Same structs in media_buffer.cpp.
 //
-// What only some media have stands in loops that others go through zero times: software renderers execute both sides of a
-// branch. Of media_kinds.glsl's names ONE_MEDIUM says that there is one, NO_MEDIA that there is none, EVEN_MEDIA that no density
-// varies: what lies in a uniform block at a known place is much faster to read there.
+// What no medium of the frame has is not compiled (media_kinds.glsl): software renderers execute both sides of a branch, and the
+// body of a loop once more than it has turns, a loop of none too. ONE_MEDIUM says that there is one, NO_MEDIA that there is none,
+// EVEN_MEDIA that no density varies: what lies in a uniform block at a known place is much faster to read there.
 #include "participating_media/media_kinds.glsl"
 #include "physics/black_body.glsl"
 #include "physics/intersect.glsl"
@@ -65,7 +65,9 @@ bool clip_to_medium(int i, vec3 origin, vec3 direction, inout float t0, inout fl
     t0 = max(t0, max(near.x, max(near.y, near.z)));
     t1 = min(t1, min(far.x, min(far.y, far.z)));
     bool inside = t0 < t1;
-    for (int k = 0; k < int(media[i].shape.x); ++k) inside = clip_to_unit_ball(o, d, t0, t1) && inside;
+#ifdef MEDIA_ELLIPSOIDS
+    if (media[i].shape.x > 0.0) inside = clip_to_unit_ball(o, d, t0, t1) && inside;
+#endif
     return inside;
 }
 
@@ -82,19 +84,19 @@ float grid_value(vec3 place, vec4 size) {
 float sampled_density(int i, vec3 p, vec3 place, float spacing) {
     float density = 0.0;
 #ifdef MEDIA_NOISE
-    for (int k = 0; k < int(min(media[i].sampled.x, 1.0)); ++k) {
-        for (int swirls = 0; swirls < (media[i].noise.y > 0.0 ? 1 : 0); ++swirls)
+    if (media[i].sampled.x > 0.0) {
+        if (media[i].noise.y > 0.0)
             place += media[i].noise.y * noise_swirl(place, media[i].noise.z);
         density += filtered_noise_density(place, int(media[i].noise.x), int(media[i].sampled.x), media[i].sampled.y,
                                           spacing * media[i].noise.w);
     }
 #endif
 #ifdef MEDIA_GRIDS
-    for (int k = 0; k < int(min(media[i].grid_size.x, 1.0)); ++k)
+    if (media[i].grid_size.x > 0.0)
         density += media[i].sampled.z * grid_value(place, vec4(media[i].grid_size.xyz, media[i].sampled.w));
 #endif
 #ifdef MEDIA_RAMPS
-    for (int k = 0; k < int(min(media[i].ramp_from.w, 1.0)); ++k) {
+    if (media[i].ramp_from.w > 0.0) {
         vec3 local = medium_place(i, p);
         float at = media[i].ramp_from.w > 1.5 ? radial_ramp(local, media[i].ramp_from.xyz, media[i].ramp_to.x, media[i].ramp_to.y)
                                               : linear_ramp(local, media[i].ramp_from.xyz, media[i].ramp_to.xyz);
@@ -125,10 +127,8 @@ float closed_density(int i, vec3 p) {
 // What the medium's mask and layer leave of its density.
 float density_share(int i, vec3 p) {
     float share = 1.0;
-    for (int k = 0; k < int(min(media[i].mask_size.x, 1.0)); ++k)
-        share *= grid_value((media[i].mask_from_world * vec4(p, 1.0)).xyz, media[i].mask_size);
-    for (int k = 0; k < (media[i].shape.w > 0.0 ? 1 : 0); ++k)
-        share *= height_density(p.y, media[i].shape.z, 1.0 / media[i].shape.w);
+    if (media[i].mask_size.x > 0.0) share *= grid_value((media[i].mask_from_world * vec4(p, 1.0)).xyz, media[i].mask_size);
+    if (media[i].shape.w > 0.0) share *= height_density(p.y, media[i].shape.z, 1.0 / media[i].shape.w);
     return share;
 }
 
@@ -136,7 +136,7 @@ float density_share(int i, vec3 p) {
 float medium_density(int i, vec3 p, float spacing) {
     float density = closed_density(i, p) + sampled_density(i, p, (media[i].field_from_world * vec4(p, 1.0)).xyz, spacing);
 #ifdef MEDIA_PRODUCTS
-    for (int k = 0; k < int(media[i].shape.y); ++k) density *= density_share(i, p);
+    if (media[i].shape.y > 0.0) density *= density_share(i, p);
 #endif
     return density;
 }
@@ -165,22 +165,23 @@ float closed_column(int i, vec3 origin, vec3 direction, float t0, float t1) {
 
 // The rest, taken `samples` times, to where nothing more comes through (e^-12).
 float sampled_column(int i, vec3 origin, vec3 direction, float t0, float t1, int samples) {
+    if (t0 >= t1 || !medium_uneven(i)) return 0.0;
     float column = 0.0;
-    int count = t0 < t1 && medium_uneven(i) ? samples : 0;
     float step_m = (t1 - t0) / float(samples);
     mat4 field = media[i].field_from_world;
     vec3 place = (field * vec4(origin + direction * (t0 + media_sample_offset * step_m), 1.0)).xyz;
     vec3 place_step = mat3(field) * direction * step_m;
     vec3 sigma_t = media[i].sigma_t.rgb;
     float enough = 12.0 / max(min(sigma_t.r, min(sigma_t.g, sigma_t.b)), 1e-6);
-    for (int s = 0; s < count && column < enough; ++s) {
+    int s = 0;
+    do {
         vec3 p = origin + direction * (t0 + (float(s) + media_sample_offset) * step_m);
         float density = sampled_density(i, p, place + float(s) * place_step, step_m);
 #ifdef MEDIA_PRODUCTS
-        for (int k = 0; k < int(media[i].shape.y); ++k) density = (density + closed_density(i, p)) * density_share(i, p);
+        if (media[i].shape.y > 0.0) density = (density + closed_density(i, p)) * density_share(i, p);
 #endif
         column += density * step_m;
-    }
+    } while (++s < samples && column < enough);
     return column;
 }
 #else
@@ -198,7 +199,7 @@ float medium_density(int i, vec3 p) { return medium_density(i, p, 0.0); }
 // Radiance that medium i gives off per metre where its density is 1.
 vec3 medium_emission(int i, vec3 p) {
     vec3 emission = media[i].emission_even.rgb;
-    for (int k = 0; k < int(min(media[i].temperature_size.x, 1.0)); ++k) {
+    if (media[i].temperature_size.x > 0.0) {
         float kelvin = media[i].temperature.y + media[i].temperature.x * grid_value((media[i].temperature_from_world * vec4(p, 1.0)).xyz,
                                                                                      media[i].temperature_size);
         emission += media[i].sigma_a.rgb * black_body_radiance(kelvin);
@@ -206,38 +207,31 @@ vec3 medium_emission(int i, vec3 p) {
     return emission;
 }
 
-// Optical depth of all media between two distances on the ray.
-vec3 media_optical_depth(vec3 origin, vec3 direction, float t_begin, float t_end, int samples) {
+// What of the media's densities counts: all, what has a closed form along a line, or what has none.
+const int MEDIA_ALL = 3, MEDIA_OF_CLOSED_FORM = 1, MEDIA_OF_NONE = 2;
+
+// Optical depth of all media between two distances on the ray. `parts` is a constant, one of the above.
+vec3 media_optical_depth(int parts, vec3 origin, vec3 direction, float t_begin, float t_end, int samples) {
     vec3 depth = vec3(0.0);
     for (int i = 0; i < media_count; ++i) {
         float t0 = t_begin, t1 = t_end;
         bool inside = clip_to_medium(i, origin, direction, t0, t1);
         t1 = inside ? t1 : t0;
-        depth += media[i].sigma_t.rgb * medium_column(i, origin, direction, t0, t1, samples);
+        float column = 0.0;
+        if ((parts & MEDIA_OF_CLOSED_FORM) != 0) column += closed_column(i, origin, direction, t0, t1);
+        if ((parts & MEDIA_OF_NONE) != 0) column += sampled_column(i, origin, direction, t0, t1, samples);
+        depth += media[i].sigma_t.rgb * column;
     }
     return depth;
 }
-
-// The same of what has a closed form, and of what has none.
+vec3 media_optical_depth(vec3 origin, vec3 direction, float t_begin, float t_end, int samples) {
+    return media_optical_depth(MEDIA_ALL, origin, direction, t_begin, t_end, samples);
+}
 vec3 media_closed_depth(vec3 origin, vec3 direction, float t_begin, float t_end) {
-    vec3 depth = vec3(0.0);
-    for (int i = 0; i < media_count; ++i) {
-        float t0 = t_begin, t1 = t_end;
-        bool inside = clip_to_medium(i, origin, direction, t0, t1);
-        t1 = inside ? t1 : t0;
-        depth += media[i].sigma_t.rgb * closed_column(i, origin, direction, t0, t1);
-    }
-    return depth;
+    return media_optical_depth(MEDIA_OF_CLOSED_FORM, origin, direction, t_begin, t_end, 1);
 }
 vec3 media_uneven_depth(vec3 origin, vec3 direction, float t_begin, float t_end, int samples) {
-    vec3 depth = vec3(0.0);
-    for (int i = 0; i < media_count; ++i) {
-        float t0 = t_begin, t1 = t_end;
-        bool inside = clip_to_medium(i, origin, direction, t0, t1);
-        t1 = inside ? t1 : t0;
-        depth += media[i].sigma_t.rgb * sampled_column(i, origin, direction, t0, t1, samples);
-    }
-    return depth;
+    return media_optical_depth(MEDIA_OF_NONE, origin, direction, t_begin, t_end, samples);
 }
 
 // Share of the light that passes all media between two distances on the ray.

@@ -21,20 +21,26 @@ vec3 source(FroxelRay ray, vec2 stretch, float along) {
 }
 
 void main() {
-    ivec3 first = ivec3(gl_GlobalInvocationID) * ivec3(1, 1, kSlicesAThread);
+    ivec3 first = ivec3(gl_GlobalInvocationID) * ivec3(1, 1, slices_a_thread);
     if (any(greaterThanEqual(first, froxel_size))) return;
-    int slices = min(kSlicesAThread, froxel_size.z - first.z);
+    int end = min(first.z + slices_a_thread, froxel_size.z);
+    float reach = imageLoad(froxel_reach, first.xy).x;
     vec4 column = imageLoad(froxel_columns, first.xy);
-    float dither = froxel_dither(first);
-    FroxelRay ray = froxel_ray(first, column, 0), far = froxel_ray(column.yz, column.x);
+    FroxelRay far = froxel_ray(column.yz, column.x);
     float z0 = froxel_depth(float(first.z) / float(froxel_size.z));
-    for (int k = 0; k < slices; ++k) {
-        ivec3 index = first + ivec3(0, 0, k);
-        float z1 = froxel_end(z0);
-        if (z0 > ray.surface) ray = far;
-        vec4 froxel = imageLoad(froxel_source, index);
-        froxel.rgb += froxel_weight(froxel.a) * source(ray, froxel_stretch(ray, z0, z1), froxel_along(dither, k, 0, 1));
-        imageStore(froxel_source, index, froxel);
-        z0 = z1;
-    }
+    do {
+        float dither = froxel_dither(first);
+        FroxelRay ray = froxel_ray(first, column, 0);
+        int k = 0;
+        do {
+            ivec3 place = froxel_place(first + ivec3(0, 0, k));
+            float z1 = froxel_end(z0);
+            if (z0 > ray.surface) ray = far;
+            vec4 froxel = imageLoad(froxel_source, place);
+            froxel.rgb += froxel_weight(froxel.a) * source(ray, froxel_stretch(ray, z0, z1), froxel_along(dither, k, 0, 1));
+            imageStore(froxel_source, place, froxel);
+            z0 = z1;
+        } while (++k < min(kSlicesARay, end - first.z));
+        first.z += kSlicesARay;
+    } while (first.z < end && z0 < reach);
 }

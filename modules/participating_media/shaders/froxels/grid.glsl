@@ -9,11 +9,17 @@ uniform float froxel_step;   // exp(growth / slices) - 1
 float froxel_depth(float share) { return froxel_depths.x + froxel_depths.y * (exp(froxel_depths.z * share) - 1.0); }
 float froxel_share(float depth) { return log(1.0 + max(depth - froxel_depths.x, 0.0) / froxel_depths.y) / froxel_depths.z; }
 
+// The middle of the slice that begins at a depth, in share of the grid.
+float froxel_middle(float depth) { return depth + (sqrt(1.0 + froxel_step) - 1.0) * (depth - froxel_depths.x + froxel_depths.y); }
+
 // Where the slice ends that begins at a depth.
 float froxel_end(float depth) { return depth + froxel_step * (depth - froxel_depths.x + froxel_depths.y); }
 
-// A thread looks at so many slices: software renderers take long to begin one.
-const int kSlicesAThread = 8;
+uniform int slices_a_thread;  // FroxelVolume::slices_a_thread
+
+// Where a froxel lies in its texture. A column lies together: renderers on processors spend their time waiting for memory.
+ivec3 froxel_place(ivec3 froxel) { return froxel.zxy; }
+vec3 froxel_place(vec3 share) { return share.zxy; }
 
 // Pixels below a column: from here to the next one's.
 ivec2 froxel_pixel(ivec2 column) { return column * ivec2(frame.size_time.xy) / froxel_size.xy; }

@@ -1,7 +1,7 @@
 // Adds one light's share to the froxels' source.
 //
-// A thread follows a ray through its slices: what depends on the ray alone is found once, and where the ray is outside of the
-// light's volume nothing is looked at.
+// A thread goes through the slices of its column that the light can reach. They are followed along one ray after another: what
+// depends on the ray alone is found once, and where it is outside of the light's volume nothing is looked at.
 #include "participating_media/froxels/sample.glsl"
 #include "participating_media/scattering.glsl"
 #include "render/shaders/lights.glsl"
@@ -68,46 +68,75 @@ vec3 scattering(vec3 p, float u, float spacing) {
 // Mean radiance per metre that goes to the eye from the stretch.
 vec3 source(LitRay lit, vec2 stretch, float along) {
     float t0 = max(stretch.x, lit.span.x), t1 = min(stretch.y, lit.span.y);
-    vec3 sum = vec3(0.0);
-    for (int k = 0; k < (t0 < t1 ? once : 0); ++k) {
-        float t = mix(t0, t1, along);
-        vec3 p = lit.ray.origin + t * lit.ray.direction;
-        vec3 to_light;
-        vec3 irradiance = light_irradiance(light_index, p, to_light) * near_light(lit, t0, t1, t);
-        sum += irradiance * scattering(p, dot(to_light, lit.ray.direction), t1 - t0) * light_transmittance(light_index, p, vec3(0.0)) *
+    float t = mix(t0, t1, along);
+    vec3 p = lit.ray.origin + t * lit.ray.direction;
+    vec3 to_light;
+    vec3 irradiance = light_irradiance(light_index, p, to_light) * near_light(lit, t0, t1, t);
+    vec3 sum = irradiance * scattering(p, dot(to_light, lit.ray.direction), t1 - t0) * light_transmittance(light_index, p, vec3(0.0)) *
                ((t1 - t0) / (stretch.y - stretch.x));
-    }
-    return sum;
+    return t0 < t1 ? sum : vec3(0.0);
+}
+
+// Slices between two depths, as numbers from the grid's begin.
+ivec2 slices_between(vec2 depths) {
+    return ivec2(froxel_share(depths.x) * float(froxel_size.z), froxel_share(depths.y) * float(froxel_size.z));
+}
+
+// Depths between which the light can reach what the column's rays see, up to `reach`: along the ray through its middle, from
+// which all others stay as near as `margin`.
+vec2 lit_depths(ivec2 column, float surface, float reach) {
+    vec3 to_plane = eye_ray_to_plane((vec2(column) + 0.5) / vec2(froxel_size.xy));
+    float slope = length(to_plane), end = min(reach, froxel_depths.w);
+    vec2 half_size = frame.tan_half_fov_exposure.xy * (1.0 / vec2(froxel_size.xy) + 2.0 / frame.size_time.xy);
+    vec2 t = vec2(0.0, end * slope);
+    bool meets = light_segment(light_index, frame.eye_near.xyz, to_plane / slope, end * length(half_size), t.x, t.y);
+    // Where the light comes as far as the surface, it does the froxels that stand in for what is behind it.
+    return meets ? vec2(t.x / slope, t.y >= surface * slope ? end : t.y / slope) : vec2(froxel_depths.x);
+}
+
+// The same of one ray; empty when nothing is left between two depths.
+vec2 lit_depths(LitRay lit, float from, float to) {
+    vec2 t = lit.span / lit.ray.slope;
+    vec2 depths = vec2(max(t.x, from), t.y >= lit.ray.surface ? to : min(t.y, to));
+    return depths.x < depths.y ? depths : vec2(1e6, -1e6);
 }
 
 void main() {
-    ivec3 first = ivec3(gl_GlobalInvocationID) * ivec3(1, 1, kSlicesAThread);
+    ivec3 first = ivec3(gl_GlobalInvocationID) * ivec3(1, 1, slices_a_thread);
     if (any(greaterThanEqual(first, box_size))) return;
-    int slices = min(kSlicesAThread, box_size.z - first.z);
+    int last = box_low.z + min(first.z + slices_a_thread, box_size.z) - 1;
     first += box_low;
     vec4 column = imageLoad(froxel_columns, first.xy);
-    float dither = froxel_dither(first);
-    float begin = froxel_depth(float(first.z) / float(froxel_size.z));
-    int rays = samples;
-    for (int i = 0; i < rays; ++i) {
-        FroxelRay ray = froxel_ray(first, column, i);
-        float z0 = begin;
-        int k = 0;
-        for (int r = 0; r < 2 * once && k < slices; ++r) {
-            LitRay lit = lit_ray(ray);
-            for (; k < slices && (z0 <= ray.surface || r == 1); ++k) {
-                ivec3 index = first + ivec3(0, 0, k);
-                float z1 = froxel_end(z0);
-                vec4 froxel = imageLoad(froxel_source, index);
+    float reach = imageLoad(froxel_reach, first.xy).x;
+    LitRay far = lit_ray(froxel_ray(column.yz, column.x));
+    ivec2 lit = clamp(slices_between(lit_depths(first.xy, column.x, reach)), first.z, last);
+    first.z += (lit.x - first.z) / kSlicesARay * kSlicesARay;
+    // No loop of this takes zero turns: those cost one all the same on processors, where branches are not taken.
+    do {
+        float dither = froxel_dither(first);
+        int rays = samples, i = 0;
+        do {
+            LitRay near = lit_ray(froxel_ray(first, column, i));
+            vec2 before = lit_depths(near, 0.0, near.ray.surface), behind = lit_depths(far, near.ray.surface, reach);
+            ivec2 slices = clamp(slices_between(vec2(min(before.x, behind.x), max(before.y, behind.y))), first.z,
+                                 min(first.z + kSlicesARay - 1, lit.y));
+            int k = slices.x;
+            float z0 = froxel_depth(float(k) / float(froxel_size.z));
+            do {
+                ivec3 place = froxel_place(ivec3(first.xy, k));
+                vec4 froxel = imageLoad(froxel_source, place);
                 int count = froxel_samples(froxel.a);
                 rays = max(rays, count);
-                vec2 stretch = froxel_stretch(ray, z0, z1);
+                LitRay ray = near;
+                if (z0 > near.ray.surface) ray = far;
+                float z1 = froxel_end(z0);
+                vec2 stretch = froxel_stretch(ray.ray, z0, z1);
                 stretch.y = i < count ? stretch.y : 0.0;
-                froxel.rgb += froxel_weight(froxel.a) / float(max(count, 1)) * source(lit, stretch, froxel_along(dither, k, i, count));
-                imageStore(froxel_source, index, froxel);
+                froxel.rgb += froxel_weight(froxel.a) / float(max(count, 1)) * source(ray, stretch, froxel_along(dither, k - first.z, i, count));
+                imageStore(froxel_source, place, froxel);
                 z0 = z1;
-            }
-            ray = froxel_ray(column.yz, column.x);
-        }
-    }
+            } while (++k <= slices.y);
+        } while (++i < rays);
+        first.z += kSlicesARay;
+    } while (first.z <= lit.y);
 }

@@ -5,12 +5,12 @@
 #ifdef FROXEL_IMAGES
 layout(rgba32f) readonly uniform image3D froxel_radiance;  // integrate.comp
 layout(rgba32f) readonly uniform image2D froxel_columns;   // columns.comp
-vec4 froxel_texel(ivec3 at) { return imageLoad(froxel_radiance, at); }
+vec4 froxel_texel(ivec3 at) { return imageLoad(froxel_radiance, froxel_place(at)); }
 float froxel_farthest(ivec2 column) { return imageLoad(froxel_columns, column).x; }
 #else
 uniform sampler3D froxel_radiance;
 uniform sampler2D froxel_columns;
-vec4 froxel_texel(ivec3 at) { return texelFetch(froxel_radiance, at, 0); }
+vec4 froxel_texel(ivec3 at) { return texelFetch(froxel_radiance, froxel_place(at), 0); }
 float froxel_farthest(ivec2 column) { return texelFetch(froxel_columns, column, 0).x; }
 #endif
 

@@ -9,10 +9,13 @@
 uniform sampler2D scene_depth;
 layout(r32f) readonly uniform image2D blue_noise;
 layout(rgba32f) readonly uniform image2D froxel_columns;  // columns.comp
+layout(rg32f) readonly uniform image2D froxel_reach;      // reach.comp
 uniform int samples;        // of a froxel
 uniform int samples_alone;  // of one without history
-uniform int once;           // 1: a loop that may be left out, where compilers would make a branch of a known bound
 uniform int first_sample;   // of this frame, in the sequence; advances from frame to frame
+
+// So many slices are looked at along one ray, and the next along another: less grain in their sum.
+const int kSlicesARay = 8;
 
 // A ray through a column, and how far one sees along it.
 struct FroxelRay {
@@ -36,10 +39,8 @@ FroxelRay froxel_ray(ivec3 first, vec4 column, int i) {
     ivec2 low = froxel_pixel(first.xy);
     ivec2 pixel = min(low + ivec2(within * vec2(froxel_pixel(first.xy + 1) - low)), ivec2(frame.size_time.xy) - 1);
     float surface = 1e30;
-    for (int k = 0; k < (column.w < froxel_depths.w ? once : 0); ++k) {
-        float depth = texelFetch(scene_depth, pixel, 0).r;
-        surface = depth > 0.0 ? view_depth(depth) : 1e30;
-    }
+    float depth = texelFetch(scene_depth, pixel, 0).r;
+    surface = depth > 0.0 ? view_depth(depth) : 1e30;
     return froxel_ray((vec2(pixel) + 0.5) / frame.size_time.xy, surface);
 }
 

@@ -1,6 +1,4 @@
 // Optical depth of uneven media between a place and a light, from what shadows/media_shadows.h made ready.
-//
-// What a light does not use stands in loops of zero turns (media.glsl).
 #include "participating_media/media.glsl"
 #include "participating_media/shadows/mapping.glsl"
 #include "participating_media/shadows/clipmap.glsl"
@@ -25,7 +23,7 @@ vec3 shadow_map_place(uint light, vec3 p) {
     int kind = int(media_shadows[light].origin_kind.w);
     float depth = kind == MAP_PARALLEL ? at.z : (metres - media_shadows[light].depths.x) * media_shadows[light].depths.y;
     vec2 uv = at.w > 0.0 ? at.xy / at.w : vec2(-1.0);  // behind the light: the border, where there is nothing
-    for (int k = 0; k < kind - 1; ++k) {
+    if (kind > 1) {
         float size = float(textureSize(media_shadow_maps, 0).x);
         uv = (octahedron_unfold(away / max(metres, 1e-6)) * (size - 2.0) / size + 1.0) * 0.5;
     }
@@ -57,19 +55,19 @@ vec3 light_uneven_depth(uint light, vec3 p, vec3 to_light, float metres) {
     bool known = light < uint(kMappedLights);
     ivec4 turns = known ? media_shadows[light].turns : ivec4(0, 0, 0, media_shadows_others);
 #ifdef MEDIA_SHADOWS_OPACITY
-    for (int k = 0; k < turns.x; ++k) {
+    if (turns.x > 0) {
         vec3 at = shadow_map_place(light, p);
         depth = shadow_map_texel(at.xy, media_shadows[light].depths.w + at.z * media_shadows[light].depths.z);
     }
 #endif
 #ifdef MEDIA_SHADOWS_FOURIER
-    for (int k = 0; k < min(turns.y, 1); ++k) depth = fourier_depth(light, shadow_map_place(light, p), turns.y);
+    if (turns.y > 0) depth = fourier_depth(light, shadow_map_place(light, p), turns.y);
 #endif
 #ifdef MEDIA_SHADOWS_CLIPMAP
-    for (int k = 0; k < turns.z; ++k) depth = clipmap_depth(p, to_light, metres);
+    if (turns.z > 0) depth = clipmap_depth(p, to_light, metres);
 #endif
 #ifdef MEDIA_SHADOWS_MARCHED
-    for (int k = 0; k < min(turns.w, 1); ++k) depth = media_uneven_depth(p, to_light, 0.0, metres, turns.w);
+    if (turns.w > 0) depth = media_uneven_depth(p, to_light, 0.0, metres, turns.w);
 #endif
     return depth;
 }
