@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "physics/physics.h"
 
@@ -11,6 +12,8 @@ namespace {
 /// Light begins to spread where it first collides. What leaves again has collided nearer than the mean: of the places
 /// tried, half the mean free path is nearest to traced spheres.
 constexpr float kFirstPath = 0.5f;
+/// Light that leaves so many mean free paths from where it entered has forgotten where that was (by 1 - 1/e).
+constexpr float kDeepPaths = 4.0f;
 
 InteriorBlock block_of(const InteriorKey& key) {
     const Optics& optics = key.optics;
@@ -31,7 +34,7 @@ InteriorBlock block_of(const InteriorKey& key) {
     block.boundary = glm::vec4(optics.eta, exact ? kFirstPath * path / optics.eta : 0.0f, exact ? 1.0f : 0.0f, 0.0f);
     const RadialKernel kernel(optics, key.model, key.scaling, key.piece_radius);
     std::ranges::copy(kernel.weights(), block.kernel);
-    block.kernel_rate = glm::vec4(kernel.rate());
+    block.kernel_rate = glm::vec4(kernel.rate(), std::numbers::log2e_v<float> / (kDeepPaths * path), 0.0f, 0.0f);
     block.sigma_s_reduced = glm::vec4(optics.sigma_s_reduced, 0.0f);
     block.sigma_a = glm::vec4(optics.sigma_a, 0.0f);
     block.published =

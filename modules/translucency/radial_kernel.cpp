@@ -10,8 +10,6 @@ namespace tyndall::translucency {
 namespace {
 
 constexpr int kBeamSources = 32;
-/// Light that leaves so many mean free paths from where it entered has forgotten where that was (by 1 - 1/e).
-constexpr double kDeepPaths = 4.0;
 
 using Gaussians = std::array<double, RadialKernel::kGaussians>;
 
@@ -78,11 +76,10 @@ RadialKernel::RadialKernel(const Optics& optics, Model model, Scaling scaling, f
     integrate(optics, model);
     const glm::dvec3 all = within_.back();
     returned_ = glm::vec3(all);
-    const glm::vec3 extinction = optics.sigma_s_reduced + optics.sigma_a;
     const glm::dvec3 scale = scaling == Scaling::exact ? 1.0 / glm::max(all, glm::dvec3(1e-12)) : glm::dvec3(1.0);
     for (glm::dvec3& share : within_) share *= scale;
     far_ = [=](float r) { return glm::vec3(scale * glm::dvec3(exitance(model, optics, r))); };
-    fit(kDeepPaths * 3.0 / double(extinction.x + extinction.y + extinction.z));
+    fit();
 }
 
 /// Fills `within_`: the integral of 2 pi r times the exitance, in equal steps of log r.
@@ -125,32 +122,30 @@ glm::vec3 RadialKernel::exact(float distance) const {
 }
 
 /// Least squares with errors relative to the kernel, where there is light: from a part of the piece to 250 pieces away.
-void RadialKernel::fit(double deep_path) {
+void RadialKernel::fit() {
     constexpr int kPlaces = 96;
     const double narrowest = 1.0 / (piece_radius_ * piece_radius_);
     rate_ = float(std::ldexp(narrowest, 1 - kGaussians));
-    std::array<NormalEquations, 4> equations;
-    glm::dvec4 most(0.0);
+    std::array<NormalEquations, 3> equations;
+    glm::dvec3 most(0.0);
     for (int i = 0; i < kPlaces; ++i) {
         const double r = 0.2 * piece_radius_ * std::pow(1250.0, double(i) / (kPlaces - 1));
-        const glm::dvec3 value(exact(float(r)));
-        const double deep = 1.0 - std::exp(-r / deep_path);
-        const glm::dvec4 wanted(value, deep * glm::dot(value, glm::dvec3(0.2126, 0.7152, 0.0722)));
-        if (i == 0) most = glm::dvec4(value, value.y);
+        const glm::dvec3 wanted(exact(float(r)));
+        if (i == 0) most = wanted;
         Gaussians basis;
         for (size_t k = 0; k < basis.size(); ++k) basis[k] = std::exp(-std::ldexp(narrowest, -int(k)) * r * r);
-        for (int c = 0; c < 4; ++c) equations[size_t(c)].add(basis, wanted[c], 1.0 / (wanted[c] + 1e-9 * most[c] + 1e-300));
+        for (int c = 0; c < 3; ++c) equations[size_t(c)].add(basis, wanted[c], 1.0 / (wanted[c] + 1e-9 * most[c] + 1e-300));
     }
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < 3; ++c) {
         const Gaussians weights = equations[size_t(c)].solve();
         for (size_t k = 0; k < weights.size(); ++k) weights_[k][c] = float(weights[k]);
     }
 }
 
-glm::vec4 RadialKernel::at(float r) const {
+glm::vec3 RadialKernel::at(float r) const {
     float g = std::exp(-rate_ * r * r);
-    glm::vec4 sum(0.0f);
-    for (size_t k = kGaussians; k-- > 0; g *= g) sum += g * weights_[k];
+    glm::vec3 sum(0.0f);
+    for (size_t k = kGaussians; k-- > 0; g *= g) sum += g * glm::vec3(weights_[k]);
     return sum;
 }
 

@@ -37,11 +37,11 @@ class RadialKernel {
     /// `piece_radius` in metres. `scaling` exact makes the integral over the plane 1.
     RadialKernel(const Optics& optics, Model model, Scaling scaling, float piece_radius);
 
-    /// rgb weights, 1/m2, narrowest first; a: luminance of the part that comes up from deep inside.
+    /// rgb weights, 1/m2, narrowest first.
     [[nodiscard]] const std::array<glm::vec4, kGaussians>& weights() const { return weights_; }
     /// Of the widest, 1/m2.
     [[nodiscard]] float rate() const { return rate_; }
-    [[nodiscard]] glm::vec4 at(float r) const;
+    [[nodiscard]] glm::vec3 at(float r) const;
     /// The mean over the disc itself, that is at most `r` metres off in the middle, before the fit.
     [[nodiscard]] glm::vec3 exact(float r) const;
     /// Integral of the model over the plane, before scaling.
@@ -52,7 +52,7 @@ class RadialKernel {
 
     void integrate(const Optics& optics, Model model);
     [[nodiscard]] glm::dvec3 within(double r) const;
-    void fit(double deep_path);
+    void fit();
 
     double first_ = 0.0, step_ = 0.0;  ///< log of the distances of `within_`
     std::vector<glm::dvec3> within_;   ///< share that leaves nearer than that

@@ -44,7 +44,7 @@ TEST(RadialKernel, GaussiansAreTheModel) {
                         worst = std::max(worst, std::abs(double(kernel.at(r)[c]) / double(exact[c]) - 1.0));
             }
             std::printf("model %d: worst relative error of the fit %.4f\n", int(model), worst);
-            EXPECT_LT(worst, 0.06);
+            EXPECT_LT(worst, model == Model::normalised ? 0.16 : 0.05) << "the normalised one is singular";
         }
 }
 
@@ -119,9 +119,8 @@ TEST(PointCloud, EveryClusterGathersFromEveryPointOnce) {
     const PointCloud cloud = make_point_cloud(make_primitive(Primitive::sphere, 48), 9, 0.5f);
     for (size_t c = 0; c + 1 < cloud.list_begins.size(); ++c) {
         std::vector<int> seen(cloud.points.size(), 0);
-        for (size_t i = 4 * cloud.list_begins[c]; i < 4 * cloud.list_begins[c + 1]; ++i) {
-            const auto node = uint32_t(cloud.lists[i]);
-            if (node == cloud.dark_node()) continue;
+        for (size_t i = cloud.list_begins[c]; i < cloud.list_begins[c + 1]; ++i) {
+            const uint32_t node = cloud.lists[i];
             int level = 0;
             while (level < cloud.levels && node >= cloud.first(level + 1)) ++level;
             const size_t first = size_t(node - cloud.first(level)) << size_t(level);

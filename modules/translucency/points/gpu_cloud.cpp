@@ -5,7 +5,7 @@
 namespace tyndall::translucency {
 namespace {
 
-constexpr int kNodeColumns = 256;  ///< as in shaders/points/cloud.glsl
+constexpr int kNodeColumns = 256, kListColumns = 1024;  ///< as in shaders/points
 
 gpu::TextureDesc table_desc(size_t texels) {
     return {.format = gpu::Format::rgba32f,
@@ -13,7 +13,7 @@ gpu::TextureDesc table_desc(size_t texels) {
             .height = (int(texels) + kNodeColumns - 1) / kNodeColumns};
 }
 size_t bytes_of(const gpu::Texture& texture) {
-    return sizeof(glm::vec4) * size_t(texture.desc().width) * size_t(texture.desc().height);
+    return gpu::bytes_per_texel(texture.desc().format) * size_t(texture.desc().width) * size_t(texture.desc().height);
 }
 
 }  // namespace
@@ -32,9 +32,11 @@ GpuCloud::GpuCloud(const PointCloud& cloud)
         surface.emplace_back(point.normal, 0.0f);
     }
     pieces = gpu::Buffer(std::span<const glm::vec4>(surface), "translucency.pieces");
-    const gpu::TextureDesc desc = table_desc(cloud.lists.size() / 4);
-    std::vector<float> numbers = cloud.lists;
-    numbers.resize(4 * size_t(desc.width) * size_t(desc.height), 0.0f);
+    const gpu::TextureDesc desc{.format = gpu::Format::r32f,
+                                .width = kListColumns,
+                                .height = (int(cloud.lists.size()) + kListColumns - 1) / kListColumns};
+    std::vector<float> numbers(cloud.lists.begin(), cloud.lists.end());
+    numbers.resize(size_t(desc.width) * size_t(desc.height), 0.0f);
     lists = gpu::Texture(desc, "translucency.lists");
     lists.upload(0, 0, numbers.data());
     list_begins = gpu::Buffer(std::span<const uint32_t>(cloud.list_begins), "translucency.list_begins");

@@ -18,7 +18,7 @@ struct GpuCloud {
     float spacing = 0.0f;  ///< of the mesh's space, as `radius`
     float radius = 0.0f;
     int index_count = 0;
-    gpu::Texture lists;  ///< four to a texel
+    gpu::Texture lists;
     gpu::Buffer pieces, list_begins, vertices, indices;
     [[nodiscard]] size_t bytes() const;
     [[nodiscard]] uint32_t first(int level) const { return 2 * points - (2 * points >> uint32_t(level)); }

@@ -65,10 +65,9 @@ void make_lists(PointCloud& cloud, float opening) {
         }
     });
     cloud.list_begins.assign(1, 0);
-    for (std::vector<uint32_t>& list : lists) {
-        list.resize((list.size() + 3) / 4 * 4, cloud.dark_node());
-        for (const uint32_t node : list) cloud.lists.push_back(float(node));
-        cloud.list_begins.push_back(uint32_t(cloud.lists.size() / 4));
+    for (const std::vector<uint32_t>& list : lists) {
+        cloud.lists.insert(cloud.lists.end(), list.begin(), list.end());
+        cloud.list_begins.push_back(uint32_t(cloud.lists.size()));
     }
 }
 

@@ -31,14 +31,13 @@ struct PointCloud {
 
     int levels = 0;
     std::vector<SurfacePoint> points;
-    std::vector<float> lists;           ///< of all clusters, filled up with the node that never has light to fours
-    std::vector<uint32_t> list_begins;  ///< in fours; clusters + 1
+    std::vector<uint32_t> lists;           ///< of all clusters, filled up with the node that never has light to fours
+    std::vector<uint32_t> list_begins;  ///< clusters + 1
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;
     float spacing = 0.0f;                 ///< side of a square of a piece's area
     float radius = 0.0f;                  ///< 3 times the volume over the surface; 0 = the mesh encloses nothing
 
-    [[nodiscard]] uint32_t dark_node() const { return first(levels) + 1; }
     /// Number of a level's first node.
     [[nodiscard]] uint32_t first(int level) const {
         const uint32_t count = uint32_t(1) << uint32_t(levels);

@@ -50,12 +50,12 @@ vec3 deep_pattern(float cosine) {
 /// Metres along the surface that refracted light goes before it first collides, over the sine outside.
 float first_path() { return interior.boundary.y; }
 
-/// Exitance per flux, 1/m2, at a squared distance; a: luminance of the part from deep inside (radial_kernel.h).
-vec4 kernel_at(float r2) {
+/// Exitance per flux, 1/m2, at a squared distance (radial_kernel.h).
+vec3 kernel_at(float r2) {
     float g = exp2(-1.44269504 * interior.kernel_rate.x * r2);
-    vec4 sum = vec4(0.0);
+    vec3 sum = vec3(0.0);
     for (int k = kKernelGaussians - 1; k >= 0; --k) {
-        sum += g * interior.kernel[k];
+        sum += g * interior.kernel[k].rgb;
         g *= g;
     }
     return sum;

@@ -6,7 +6,7 @@
 
 void scale(uint point, vec3 found) {
     vec3 before = point_scales[point].rgb;
-    vec3 sum = found + before * kernel_at(0.0).rgb * piece_at(point).area;
+    vec3 sum = found + before * kernel_at(0.0) * piece_at(point).area;
     point_scales[point] = vec4(sqrt(before / max(sum, vec3(1e-20))), 0.0);
 }
 

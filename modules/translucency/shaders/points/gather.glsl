@@ -3,8 +3,8 @@
 #define NODES_READ
 #include "translucency/points/cloud.glsl"
 
-uniform sampler2D lists;  // four nodes' numbers a texel
-layout(std430) readonly buffer ListBegins { uint list_begins[]; };  // in texels
+uniform sampler2D lists;  // nodes' numbers
+layout(std430) readonly buffer ListBegins { uint list_begins[]; };
 
 /// A thread's points follow at this stride; they are worked on by fours.
 const uint kStride = 8u;
@@ -17,22 +17,30 @@ struct Exitances {
 vec4 exitance_of(Exitances all, uint i) { return vec4(all.red[i], all.green[i], all.blue[i], all.deep[i]); }
 
 // Each Gaussian's rate is twice that of the one before, k r^2 with it.
-#define GAUSSIAN(k) w = interior.kernel[k]; wide = g + g * spread * (kSpread * rates - 1.0); \
-    kernel.red += w.r * wide; kernel.green += w.g * wide; kernel.blue += w.b * wide; kernel.deep += w.a * wide; \
+#define GAUSSIAN(k) w = interior.kernel[k].rgb; wide = g + g * spread * (kSpread * rates - 1.0); \
+    red += w.r * wide; green += w.g * wide; blue += w.b * wide; \
     g *= g; rates += rates; spread += spread;
 
-/// At four squared distances, by a group of nodes whose places vary by `variance` along each axis of the surface: to the
-/// second order, the Gaussians' Laplacian there. Groups are seen neither edge-on nor face-on but in between: kSpread is 1
-/// where they lie along the way to them, 0 where they face it.
+/// Adds what leaves at four squared distances from a group of nodes whose places vary by `variance` along each axis of the
+/// surface: to the second order, the Gaussians' Laplacian there. Groups are seen neither edge-on nor face-on but in
+/// between: kSpread is 1 where they lie along the way to them, 0 where they face it.
 const float kSpread = 0.75;
-Exitances kernels_at(vec4 r2, float variance) {
+void add_flux(inout Exitances sum, vec4 r2, float variance, vec3 flux, vec4 other) {
     vec4 rates = interior.kernel_rate.x * r2;
-    vec4 g = exp2(-1.44269504 * rates), wide, w;
+    vec4 g = exp2(-1.44269504 * rates), wide;
+    vec4 red = vec4(0.0), green = vec4(0.0), blue = vec4(0.0);
+    vec3 w;
     float spread = 2.0 * interior.kernel_rate.x * variance;
-    Exitances kernel = Exitances(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     GAUSSIAN(15) GAUSSIAN(14) GAUSSIAN(13) GAUSSIAN(12) GAUSSIAN(11) GAUSSIAN(10) GAUSSIAN(9) GAUSSIAN(8)
     GAUSSIAN(7) GAUSSIAN(6) GAUSSIAN(5) GAUSSIAN(4) GAUSSIAN(3) GAUSSIAN(2) GAUSSIAN(1) GAUSSIAN(0)
-    return kernel;
+    red *= flux.r * other;
+    green *= flux.g * other;
+    blue *= flux.b * other;
+    sum.red += red;
+    sum.green += green;
+    sum.blue += blue;
+    vec4 luminances = 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+    sum.deep += luminances * (1.0 - exp2(-interior.kernel_rate.y * sqrt(r2)));
 }
 
 /// Four points, and what they have gathered.
@@ -55,34 +63,28 @@ Four four_of_thread(uint first) {
     return four;
 }
 
-void add_node(inout Four four, uint node, vec4 place, vec4 flux) {
+void add_node(inout Four four, uint node, vec4 place, vec3 flux) {
     vec4 dx = four.x - place.x, dy = four.y - place.y, dz = four.z - place.z;
-    Exitances kernel = kernels_at(dx * dx + dy * dy + dz * dz, place.w);
     vec4 other = mix(vec4(1.0), vec4(0.0), equal(four.points, uvec4(node)));
-    four.sum.red += flux.r * other * kernel.red;
-    four.sum.green += flux.g * other * kernel.green;
-    four.sum.blue += flux.b * other * kernel.blue;
-    four.sum.deep += flux.a * other * kernel.deep;
+    add_flux(four.sum, dx * dx + dy * dy + dz * dz, place.w, flux, other);
 }
 
-void add_node(inout Four low, inout Four high, uint node) {
-    vec3 flux = texelFetch(node_fluxes, node_texel(node), 0).rgb;
-    if (flux == vec3(0.0)) return;
-    vec4 place = texelFetch(node_places, node_texel(node), 0);
-    place.w = node < point_count ? 0.0 : place.w;
-    vec4 all = vec4(flux, luminance(flux));
-    add_node(low, node, place, all);
-    add_node(high, node, place, all);
-}
+uint node_in_lists(uint i) { return uint(texelFetch(lists, ivec2(i % 1024u, i / 1024u), 0).r); }
 
-/// By the light that has entered everywhere but at the points themselves, not scaled there.
+/// By the light that has entered everywhere but at the points themselves, not scaled there. Two loops, since processors
+/// skip nothing but by a loop: the inner one looks for the next node with light.
 void gather(inout Four low, inout Four high) {
-    uint last = list_begins[gl_WorkGroupID.x + 1u];
-    for (uint i = list_begins[gl_WorkGroupID.x]; i < last; ++i) {
-        uvec4 nodes = uvec4(texelFetch(lists, node_texel(i), 0));
-        add_node(low, high, nodes.x);
-        add_node(low, high, nodes.y);
-        add_node(low, high, nodes.z);
-        add_node(low, high, nodes.w);
-    }
+    uint i = list_begins[gl_WorkGroupID.x], last = list_begins[gl_WorkGroupID.x + 1u];
+    do {
+        uint node;
+        vec3 flux;
+        do {
+            node = node_in_lists(i++);
+            flux = texelFetch(node_fluxes, node_texel(node), 0).rgb;
+        } while (flux == vec3(0.0) && i < last);
+        vec4 place = texelFetch(node_places, node_texel(node), 0);
+        place.w = node < point_count ? 0.0 : place.w;
+        add_node(low, node, place, flux);
+        add_node(high, node, place, flux);
+    } while (i < last);
 }

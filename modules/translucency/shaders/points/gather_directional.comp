@@ -5,8 +5,8 @@
 #include "translucency/points/store.glsl"
 #include "physics/bssrdf.glsl"
 
-uniform sampler2D lists;  // four nodes' numbers a texel
-layout(std430) readonly buffer ListBegins { uint list_begins[]; };  // in texels
+uniform sampler2D lists;  // nodes' numbers
+layout(std430) readonly buffer ListBegins { uint list_begins[]; };
 uniform float piece_radius;  // metres
 
 vec3 exitance_from(Diffusion m, uint node, vec3 place, vec3 normal) {
@@ -16,7 +16,7 @@ vec3 exitance_from(Diffusion m, uint node, vec3 place, vec3 normal) {
     float r = length(x);
     // pieces that touch are no points to one another
     float apart = smoothstep(2.0 * piece_radius, 4.0 * piece_radius, r);
-    vec3 kernel = (1.0 - apart) * kernel_at(r * r).rgb;
+    vec3 kernel = (1.0 - apart) * kernel_at(r * r);
     if (apart > 0.0) {
         vec4 direction = texelFetch(node_directions, node_texel(node), 0);
         kernel += apart * interior.published.rgb *
@@ -32,11 +32,8 @@ void main() {
     uint last = list_begins[gl_WorkGroupID.x + 1u];
     vec3 sum = vec3(0.0);
     for (uint i = list_begins[gl_WorkGroupID.x]; i < last; ++i) {
-        vec4 nodes = texelFetch(lists, node_texel(i), 0);
-        for (int k = 0; k < 4; ++k) {
-            uint node = uint(nodes[k]);
-            if (node != point) sum += exitance_from(m, node, piece.place, piece.normal);
-        }
+        uint node = uint(texelFetch(lists, ivec2(i % 1024u, i / 1024u), 0).r);
+        if (node != point) sum += exitance_from(m, node, piece.place, piece.normal);
     }
     store(point, vec4(sum, 0.0));
 }

@@ -7,7 +7,7 @@ void store(uint point, vec4 found) {
     vec4 flux = texelFetch(node_fluxes, node_texel(point), 0);
     vec3 others = scale * found.rgb;
     vec3 moved = texelFetch(node_places, node_texel(point), 0).xyz - piece.place;
-    vec3 own = scale * kernel_at(dot(moved, moved)).rgb;
+    vec3 own = scale * kernel_at(dot(moved, moved));
     // Deep inside was at most what is more than ground lit evenly by this point's light would give.
     vec3 even = flux.rgb / (max(scale, vec3(1e-6)) * piece.area);
     float here = luminance(others + own * flux.rgb);
