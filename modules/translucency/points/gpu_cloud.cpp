@@ -31,7 +31,10 @@ GpuCloud::GpuCloud(const PointCloud& cloud)
         surface.emplace_back(point.position, point.area);
         surface.emplace_back(point.normal, 0.0f);
     }
-    pieces = gpu::Buffer(std::span<const glm::vec4>(surface), "translucency.pieces");
+    const gpu::TextureDesc two_a_point = table_desc(surface.size());
+    surface.resize(size_t(two_a_point.width) * size_t(two_a_point.height));
+    pieces = gpu::Texture(two_a_point, "translucency.pieces");
+    pieces.upload(0, 0, surface.data());
     const gpu::TextureDesc desc{.format = gpu::Format::r32f,
                                 .width = kListColumns,
                                 .height = (int(cloud.lists.size()) + kListColumns - 1) / kListColumns};
@@ -45,20 +48,21 @@ GpuCloud::GpuCloud(const PointCloud& cloud)
 }
 
 size_t GpuCloud::bytes() const {
-    return bytes_of(lists) + pieces.size() + list_begins.size() + vertices.size() + indices.size();
+    return bytes_of(lists) + bytes_of(pieces) + list_begins.size() + vertices.size() + indices.size();
 }
 
 GpuObject::GpuObject(const GpuCloud& cloud, bool directional)
     : node_places(table_desc(cloud.nodes), "translucency.node_places"),
       node_fluxes(table_desc(cloud.nodes), "translucency.node_fluxes"),
       node_directions(directional ? table_desc(cloud.nodes) : table_desc(1), "translucency.node_directions"),
-      point_scales(cloud.points * sizeof(glm::vec4), nullptr, "translucency.point_scales"),
-      point_light(2 * cloud.points * sizeof(glm::vec4), nullptr, "translucency.point_light") {
+      point_scales(table_desc(cloud.points), "translucency.point_scales"),
+      point_light(table_desc(2 * cloud.points), "translucency.point_light") {
     node_fluxes.clear(0, glm::vec4(0.0f));
 }
 
 size_t GpuObject::bytes() const {
-    return bytes_of(node_places) + bytes_of(node_fluxes) + bytes_of(node_directions) + point_scales.size() + point_light.size();
+    return bytes_of(node_places) + bytes_of(node_fluxes) + bytes_of(node_directions) + bytes_of(point_scales) +
+           bytes_of(point_light);
 }
 
 }  // namespace tyndall::translucency

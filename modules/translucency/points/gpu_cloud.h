@@ -18,8 +18,8 @@ struct GpuCloud {
     float spacing = 0.0f;  ///< of the mesh's space, as `radius`
     float radius = 0.0f;
     int index_count = 0;
-    gpu::Texture lists;
-    gpu::Buffer pieces, list_begins, vertices, indices;
+    gpu::Texture lists, pieces;  ///< shaders/points
+    gpu::Buffer list_begins, vertices, indices;
     [[nodiscard]] size_t bytes() const;
     [[nodiscard]] uint32_t first(int level) const { return 2 * points - (2 * points >> uint32_t(level)); }
 };
@@ -29,8 +29,7 @@ struct GpuObject {
     /// `directional`: has room for the directions of light.
     GpuObject(const GpuCloud& cloud, bool directional);
 
-    gpu::Texture node_places, node_fluxes, node_directions;  ///< shaders/points/cloud.glsl
-    gpu::Buffer point_scales, point_light;
+    gpu::Texture node_places, node_fluxes, node_directions, point_scales, point_light;  ///< shaders/points
     InteriorBuffers interior;
     [[nodiscard]] size_t bytes() const;
 };

@@ -53,15 +53,17 @@ glm::mat3 area_matrix(const glm::mat4& transform) {
 }
 
 void bind_points(const gpu::Program& program, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
-    for (const auto& [name, texture] :
-         {std::pair{"node_places", &object.node_places}, std::pair{"node_fluxes", &object.node_fluxes},
-          std::pair{"node_directions", &object.node_directions}}) {
-        program.texture(name, *texture, {.filter = gpu::Filter::nearest});  // a program has one of the two
-        program.image(name, *texture, 0, true);
-    }
-    program.block("PointScales", object.point_scales);
-    program.block("Pieces", cloud.pieces);
-    program.texture("lists", cloud.lists, {.filter = gpu::Filter::nearest});
+    const auto bind = [&](std::string_view name, const gpu::Texture& texture) {
+        program.texture(name, texture, {.filter = gpu::Filter::nearest});  // a program has one of the two
+        program.image(name, texture, 0, true);
+    };
+    bind("node_places", object.node_places);
+    bind("node_fluxes", object.node_fluxes);
+    bind("node_directions", object.node_directions);
+    bind("point_scales", object.point_scales);
+    bind("point_light", object.point_light);
+    bind("pieces", cloud.pieces);
+    bind("lists", cloud.lists);
     program.block("ListBegins", cloud.list_begins);
     object.interior.bind(program);
     program.set("point_count", cloud.points);
@@ -204,7 +206,6 @@ void PointsPass::sum(PassContext& context, const Surface& surface, const GpuClou
 void PointsPass::gather(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
     const gpu::Program& program = compute(context, directional() ? "gather_directional" : "gather");
     bind_points(program, surface, cloud, object);
-    program.block("PointLight", object.point_light);
     program.set("piece_radius", piece_radius(surface, cloud));
     dispatch(cloud.points);
 }
@@ -233,7 +234,7 @@ void PointsPass::draw(PassContext& context, const Surface& surface, const GpuClo
     object.interior.bind(program);
     for (const char* target : {"scene_depth", "gbuffer_normal"})
         program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
-    program.block("PointLight", object.point_light);
+    program.texture("point_light", object.point_light, {.filter = gpu::Filter::nearest});
     program.set("world_from_local", surface.transform);
     program.set("clip_from_world", frame.block.view_projection);
     const DrawState state(DepthState::off, BlendState::attenuate_add);

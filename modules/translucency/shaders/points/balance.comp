@@ -2,12 +2,13 @@
 // leaves is what the half-space says, whatever the shape. A kernel of flat ground alone loses what would leave beyond the
 // solid's end. Symmetric, so reciprocity stays (Sinkhorn & Knopp's balancing; the root for symmetric matrices is Knight,
 // Ruiz & Ucar's).
+#define SCALES_WRITTEN
 #include "translucency/points/gather.glsl"
 
 void scale(uint point, vec3 found) {
-    vec3 before = point_scales[point].rgb;
+    vec3 before = scale_at(point);
     vec3 sum = found + before * kernel_at(0.0) * piece_at(point).area;
-    point_scales[point] = vec4(sqrt(before / max(sum, vec3(1e-20))), 0.0);
+    imageStore(point_scales, node_texel(point), vec4(sqrt(before / max(sum, vec3(1e-20))), 0.0));
 }
 
 void main() {

@@ -9,8 +9,7 @@ layout(local_size_x = 64 / POINTS_A_THREAD) in;
 layout(local_size_x = 64) in;
 #endif
 
-layout(std430) readonly buffer Pieces { vec4 pieces[]; };  // two a point: place, area; normal. Of the mesh's own space
-// Nodes' light lies in images: of all ways to read it this is the quickest where a CPU renders.
+// All lies in textures: of the ways to read it this is the quickest where a processor renders.
 //  places: world, the middle of the light that entered; w: of points luminance of what entered, of
 //   groups the variance of its place along an axis of the surface, m2
 //  fluxes: rgb flux that has entered and leaves somewhere, lm; of points w: illuminance that arrived
@@ -30,7 +29,14 @@ uniform sampler2D node_directions;
 const uint kNodeColumns = 256u;
 ivec2 node_texel(uint node) { return ivec2(node % kNodeColumns, node / kNodeColumns); }
 
-layout(std430) buffer PointScales { vec4 point_scales[]; };  // rgb what the kernel is multiplied by at both ends (balance.comp)
+uniform sampler2D pieces;  // two texels a point: place, area; normal. Of the mesh's own space
+#ifdef SCALES_WRITTEN
+layout(rgba32f) uniform image2D point_scales;  // rgb what the kernel is multiplied by at both ends (balance.comp)
+vec3 scale_at(uint point) { return imageLoad(point_scales, node_texel(point)).rgb; }
+#else
+uniform sampler2D point_scales;
+vec3 scale_at(uint point) { return texelFetch(point_scales, node_texel(point), 0).rgb; }
+#endif
 uniform uint point_count;
 uniform mat4 world_from_local;
 uniform mat3 areas_from_local;  // cofactors: they turn an area's vector as the matrix turns its sides
@@ -43,8 +49,8 @@ struct Piece {
 };
 
 Piece piece_at(uint point) {
-    vec4 place_area = pieces[2u * point];
-    vec3 turned = areas_from_local * pieces[2u * point + 1u].xyz;
+    vec4 place_area = texelFetch(pieces, node_texel(2u * point), 0);
+    vec3 turned = areas_from_local * texelFetch(pieces, node_texel(2u * point + 1u), 0).xyz;
     float scale = length(turned);
     return Piece((world_from_local * vec4(place_area.xyz, 1.0)).xyz, turned / max(scale, 1e-20), place_area.w * scale);
 }

@@ -1,9 +1,9 @@
 // What leaves at a point, of the light that has entered elsewhere and of its own.
-layout(std430) writeonly buffer PointLight { vec4 point_light[]; };  // two a point: exitance of others' light, lm/m2, a share of it from deep inside; share of its own illuminance
+layout(rgba32f) writeonly uniform image2D point_light;  // two a point: exitance of others' light, lm/m2, a share of it from deep inside; share of its own illuminance
 
 void store(uint point, vec4 found) {
     Piece piece = piece_at(point);
-    vec3 scale = point_scales[point].rgb;
+    vec3 scale = scale_at(point);
     vec4 flux = texelFetch(node_fluxes, node_texel(point), 0);
     vec3 others = scale * found.rgb;
     vec3 moved = texelFetch(node_places, node_texel(point), 0).xyz - piece.place;
@@ -13,7 +13,7 @@ void store(uint point, vec4 found) {
     float here = luminance(others + own * flux.rgb);
     float deep = clamp(1.0 - luminance(even) / max(here, 1e-30), 0.0, 1.0) * found.a / max(luminance(found.rgb), 1e-30);
     float share = flux.w > 0.0 ? texelFetch(node_places, node_texel(point), 0).w / flux.w : mean_entering();
-    point_light[2u * point] = vec4(others, deep);
-    point_light[2u * point + 1u] = vec4(own * scale * piece.area * share * mean_leaving(), 0.0);
+    imageStore(point_light, node_texel(2u * point), vec4(others, deep));
+    imageStore(point_light, node_texel(2u * point + 1u), vec4(own * scale * piece.area * share * mean_leaving(), 0.0));
 }
 

@@ -3,16 +3,19 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in uvec2 points;  // four of 16 bits
 layout(location = 2) in vec4 weights;
 
-layout(std430) readonly buffer PointLight { vec4 point_light[]; };
+uniform sampler2D point_light;  // as store.glsl writes it
 uniform mat4 world_from_local;
 uniform mat4 clip_from_world;
+
+const uint kColumns = 256u;
 
 out vec4 v_others;  // a: share from deep inside
 out vec3 v_own;
 
 void add(uint point, float weight) {
-    v_others += weight * point_light[2u * point];
-    v_own += weight * point_light[2u * point + 1u].rgb;
+    ivec2 texel = ivec2(2u * point % kColumns, 2u * point / kColumns);  // the other is beside it
+    v_others += weight * texelFetch(point_light, texel, 0);
+    v_own += weight * texelFetch(point_light, texel + ivec2(1, 0), 0).rgb;
 }
 
 void main() {
