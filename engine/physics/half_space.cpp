@@ -135,9 +135,11 @@ class Solid {
         solve(a, b);
         return b;
     }
-    /// The slowest decay with depth, over the extinction: a / (2 k) log((1 + k) / (1 - k)) = 1.
+    /// The slowest decay with depth, over the extinction: a / (2 k) log((1 + k) / (1 - k)) = 1. Not above kFastest:
+    /// where next to nothing is scattered light from the depth would be a single ray.
     [[nodiscard]] static double decay(double albedo) {
-        double low = 0.0, high = 1.0 - 1e-9;
+        constexpr double kFastest = 0.9;
+        double low = 0.0, high = kFastest;
         for (int step = 0; step < 60; ++step) {
             const double k = 0.5 * (low + high);
             (albedo * std::atanh(k) < k ? low : high) = k;

@@ -80,10 +80,25 @@ TEST(HalfSpace, ReturnsWhatPhotonsDo) {
     EXPECT_LT(worst, 0.004);
 }
 
+TEST(HalfSpace, DeepLightDarkensTowardTheLimb) {
+    // Milne's problem without absorption and boundary: H(mu) over its mean, H from Chandrasekhar's table XI
+    const HalfSpace white(vec3(1.0f), 1.0f);
+    const float mean = 2.0f * 1.1547f;  // 2 / sqrt(3): twice the first moment
+    EXPECT_NEAR(white.deep().back().x, 2.9078f / mean, 0.01f);
+    EXPECT_NEAR(white.deep().front().x, 1.0f / mean, 0.01f);
+    for (const float albedo : {0.0f, 0.02f, 0.5f, 0.9f, 0.999f}) {
+        const HalfSpace solid(vec3(albedo), 1.3f);
+        for (const vec3& deep : solid.deep()) {
+            EXPECT_GT(deep.x, 0.0f);
+            EXPECT_LT(deep.x, 10.0f) << albedo;
+        }
+    }
+}
+
 TEST(HalfSpace, WithoutABoundaryItIsChandrasekhars) {
     // 1 - H(mu) sqrt(1 - a), H of the isotropic solid: Chandrasekhar's table XI
     const HalfSpace returns(vec3(0.9f), 1.0f);
-    EXPECT_NEAR(returns.leaving(1.0f).x, 1.0 - 1.9020 * std::sqrt(0.1), 1e-3);
+    EXPECT_NEAR(returns.leaving(1.0f).x, 1.0 - 1.8501 * std::sqrt(0.1), 1e-3);
     const HalfSpace white(vec3(1.0f), 1.4f);
     EXPECT_NEAR(white.leaving(0.8f).x, 1.0f, 2e-3f) << "nothing is lost where nothing absorbs";
 }

@@ -88,7 +88,7 @@ def pretty(value, depth=0, width=150):
 
 
 def write(target, found):
-    scene = dict(tyndall=1, modules=["participating_media"], render=dict(path="deferred", view="ACES 1.0 SDR", camera="Nave", participating_media=dict(resolution="half", steps=16, temporal=True)), entities=found)
+    scene = dict(tyndall=1, modules=["participating_media", "translucency"], render=dict(path="deferred", view="ACES 1.0 SDR", camera="Nave", participating_media=dict(resolution="half", steps=16, temporal=True), translucency=dict(points=dict(levels=12))), entities=found)
     text = pretty(scene) + "\n"
     assert json.loads(text) == scene
     target.write_text(text)
