@@ -18,12 +18,13 @@ size_t bytes_of(const gpu::Texture& texture) {
 
 }  // namespace
 
-GpuCloud::GpuCloud(const PointCloud& cloud)
+GpuCloud::GpuCloud(const PointCloud& cloud, const glm::vec3& the_shape)
     : points(uint32_t(cloud.points.size())),
       nodes(2 * points),
       levels(cloud.levels),
       spacing(cloud.spacing),
       radius(cloud.radius),
+      shape(the_shape),
       index_count(int(cloud.indices.size())) {
     if (cloud.points.empty()) return;
     std::vector<glm::vec4> surface;

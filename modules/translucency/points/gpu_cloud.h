@@ -11,12 +11,14 @@ namespace tyndall::translucency {
 
 /// What objects that share a mesh share.
 struct GpuCloud {
-    explicit GpuCloud(const PointCloud& cloud);
+    /// `shape`: what the mesh's axes were multiplied by before.
+    GpuCloud(const PointCloud& cloud, const glm::vec3& shape);
 
     uint32_t points = 0, nodes = 0;
     int levels = 0;
     float spacing = 0.0f;  ///< of the mesh's space, as `radius`
     float radius = 0.0f;
+    glm::vec3 shape{1.0f};
     int index_count = 0;
     gpu::Texture lists, pieces;  ///< shaders/points
     gpu::Buffer list_begins, vertices, indices;

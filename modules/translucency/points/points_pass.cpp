@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 #include "core/log.h"
 #include "render/draw_state.h"
 #include "render/frame.h"
+#include "render/frustum.h"
 #include "render/seams.h"
 
 namespace tyndall::translucency {
@@ -37,13 +39,37 @@ void dispatch(uint32_t points) {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-float scale_of(const Surface& surface) {
-    return std::cbrt(std::abs(glm::determinant(glm::mat3(surface.transform))));
+/// How a transform stretches the mesh's axes, over the most, in steps of a fiftieth so that little changes keep the cloud.
+glm::vec3 shape_of(const glm::mat4& transform) {
+    const glm::vec3 scale(glm::length(transform[0]), glm::length(transform[1]), glm::length(transform[2]));
+    const glm::vec3 steps = glm::round(50.0f * glm::log(scale / std::max({scale.x, scale.y, scale.z})));
+    return glm::exp(steps / 50.0f);
+}
+
+glm::mat4 world_from_cloud(const Surface& surface, const GpuCloud& cloud) {
+    return surface.transform * glm::scale(glm::mat4(1.0f), 1.0f / cloud.shape);
+}
+
+/// Metres of a unit of the cloud's.
+float scale_of(const Surface& surface, const GpuCloud& cloud) {
+    return std::cbrt(std::abs(glm::determinant(glm::mat3(world_from_cloud(surface, cloud)))));
 }
 
 /// Of a disc as large as a point's piece, metres.
 float piece_radius(const Surface& surface, const GpuCloud& cloud) {
-    return std::max(cloud.spacing * scale_of(surface), 1e-9f) / std::sqrt(std::numbers::pi_v<float>);
+    return std::max(cloud.spacing * scale_of(surface, cloud), 1e-9f) / std::sqrt(std::numbers::pi_v<float>);
+}
+
+/// The mesh with its axes stretched.
+Mesh stretched(const Mesh& mesh, const glm::vec3& shape) {
+    Mesh made;
+    made.positions = mesh.positions;
+    made.normals = mesh.normals;
+    made.indices = mesh.indices;
+    for (glm::vec3& position : made.positions) position *= shape;
+    for (glm::vec3& normal : made.normals) normal = glm::normalize(normal / shape);
+    made.bounds = bounds_of(made.positions);
+    return made;
 }
 
 /// Cofactors: they turn an area's vector as the matrix turns its sides.
@@ -67,8 +93,9 @@ void bind_points(const gpu::Program& program, const Surface& surface, const GpuC
     program.block("ListBegins", cloud.list_begins);
     object.interior.bind(program);
     program.set("point_count", cloud.points);
-    program.set("world_from_local", surface.transform);
-    const glm::mat3 areas = area_matrix(surface.transform);
+    const glm::mat4 world = world_from_cloud(surface, cloud);
+    program.set("world_from_local", world);
+    const glm::mat3 areas = area_matrix(world);
     program.set("areas_from_local", glm::determinant(glm::mat3(surface.transform)) < 0.0f ? -areas : areas);
 }
 
@@ -99,30 +126,40 @@ void PointsPass::declare(PassDeclaration& declaration) {
 
 void PointsPass::execute(PassContext& context) {
     ++frame_;
+    const RenderScene& scene = context.frame().scene;
+    const Frustum frustum(context.frame().block.view_projection);
     if (settings_.enabled)
-        for (const size_t index : plan_->surfaces(context.frame().scene, Technique::points)) {
-            const Surface& surface = context.frame().scene.surfaces[index];
-            const GpuCloud& cloud = cloud_of(surface);
-            if (cloud.points == 0) continue;
-            Object& object = object_of(surface, cloud);
-            if (!object.balanced) balance(context, surface, cloud, *object.gpu);
-            object.balanced = true;
-            light(context, surface, cloud, *object.gpu);
-            sum(context, surface, cloud, *object.gpu);
-            gather(context, surface, cloud, *object.gpu);
-            draw(context, surface, cloud, *object.gpu);
-        }
+        for (const size_t index : plan_->surfaces(scene, Technique::points))
+            if (frustum.touches(scene.surfaces[index].bounds)) render(context, scene.surfaces[index]);
     forget_unused();
 }
 
+void PointsPass::render(PassContext& context, const Surface& surface) {
+    const float volume = std::abs(glm::determinant(glm::mat3(surface.transform)));
+    if (!(volume > 0.0f) || !std::isfinite(volume)) return;
+    const GpuCloud& cloud = cloud_of(surface);
+    if (cloud.points == 0) return;
+    Object& object = object_of(surface, cloud);
+    if (!object.balanced) balance(context, surface, cloud, *object.gpu);
+    object.balanced = true;
+    light(context, surface, cloud, *object.gpu);
+    sum(context, surface, cloud, *object.gpu);
+    gather(context, surface, cloud, *object.gpu);
+    draw(context, surface, cloud, *object.gpu);
+}
+
 const GpuCloud& PointsPass::cloud_of(const Surface& surface) {
-    Cloud& cloud = clouds_[surface.mesh->id];
+    const glm::vec3 shape = shape_of(surface.transform);
+    Cloud& cloud = clouds_[{surface.mesh->id, shape.x, shape.y, shape.z}];
     cloud.last_used = frame_;
     const PointsSettings& wanted = settings_.points;
     if (!cloud.gpu || cloud.levels != wanted.levels || cloud.opening != wanted.opening) {
         const auto begun = std::chrono::steady_clock::now();
-        const PointCloud made = make_point_cloud(surface.mesh->mesh, wanted.levels, wanted.opening);
-        cloud.gpu = std::make_unique<GpuCloud>(made);
+        const Mesh& mesh = surface.mesh->mesh;
+        const PointCloud made = shape == glm::vec3(1.0f)
+                                    ? make_point_cloud(mesh, wanted.levels, wanted.opening)
+                                    : make_point_cloud(stretched(mesh, shape), wanted.levels, wanted.opening);
+        cloud.gpu = std::make_unique<GpuCloud>(made, shape);
         cloud.levels = wanted.levels;
         cloud.opening = wanted.opening;
         log::info("translucency: {}: {} points, {} to gather from on average, {:.1f} MB, {:.2f} s", surface.mesh->name,
@@ -135,7 +172,9 @@ const GpuCloud& PointsPass::cloud_of(const Surface& surface) {
 
 PointsPass::Object& PointsPass::object_of(const Surface& surface, const GpuCloud& cloud) {
     const uint64_t entity = uint64_t(surface.entity.index) << 32u | surface.entity.generation;
-    Object& object = objects_[{entity, surface.mesh->id}];
+    ObjectKey key{entity, surface.mesh->id, 0};
+    while (objects_[key].last_used == frame_) ++std::get<2>(key);
+    Object& object = objects_[key];
     object.last_used = frame_;
     if (!object.gpu || object.cloud != &cloud || object.directional != directional()) {
         object.gpu = std::make_unique<GpuObject>(cloud, directional());
@@ -145,7 +184,7 @@ PointsPass::Object& PointsPass::object_of(const Surface& surface, const GpuCloud
     }
     const float radius = piece_radius(surface, cloud);
     if (object.gpu->interior.update({optics_of(*surface.interior), settings_.model, settings_.scaling, radius,
-                                     cloud.radius * scale_of(surface)}))
+                                     cloud.radius * scale_of(surface, cloud)}))
         object.balanced = false;
     return object;
 }
@@ -235,7 +274,7 @@ void PointsPass::draw(PassContext& context, const Surface& surface, const GpuClo
     for (const char* target : {"scene_depth", "gbuffer_normal"})
         program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
     program.texture("point_light", object.point_light, {.filter = gpu::Filter::nearest});
-    program.set("world_from_local", surface.transform);
+    program.set("world_from_local", world_from_cloud(surface, cloud));
     program.set("clip_from_world", frame.block.view_projection);
     const DrawState state(DepthState::off, BlendState::attenuate_add);
     const bool mirrored = glm::determinant(glm::mat3(surface.transform)) < 0.0f;

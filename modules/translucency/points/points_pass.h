@@ -3,8 +3,7 @@
 
 #include <map>
 #include <memory>
-#include <unordered_map>
-#include <utility>
+#include <tuple>
 
 #include "points/gpu_cloud.h"
 #include "render/frame_graph.h"
@@ -26,14 +25,14 @@ class PointsPass final : public Pass {
     void execute(PassContext& context) override;
 
  private:
-    /// Clouds by mesh and their settings.
+    /// Clouds by mesh and how it is stretched.
     struct Cloud {
         std::unique_ptr<GpuCloud> gpu;
         uint64_t last_used = 0;
         int levels = 0;
         float opening = 0.0f;
     };
-    /// Objects by entity and mesh.
+    /// Objects by entity, mesh, and how many of both came before in the frame.
     struct Object {
         std::unique_ptr<GpuObject> gpu;
         const GpuCloud* cloud = nullptr;
@@ -41,11 +40,12 @@ class PointsPass final : public Pass {
         bool balanced = false;
         bool directional = false;
     };
-    using ObjectKey = std::pair<uint64_t, uint64_t>;
+    using ObjectKey = std::tuple<uint64_t, uint64_t, int>;
 
     [[nodiscard]] bool directional() const;
     const GpuCloud& cloud_of(const Surface& surface);
     Object& object_of(const Surface& surface, const GpuCloud& cloud);
+    void render(PassContext& context, const Surface& surface);
     void forget_unused();
     void balance(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
     void light(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
@@ -55,7 +55,7 @@ class PointsPass final : public Pass {
 
     std::shared_ptr<TechniquePlan> plan_;
     const TranslucencySettings& settings_;
-    std::unordered_map<uint64_t, Cloud> clouds_;
+    std::map<std::tuple<uint64_t, float, float, float>, Cloud> clouds_;
     std::map<ObjectKey, Object> objects_;
     LightPrograms light_programs_, directional_light_programs_;
     unsigned int vertex_array_ = 0;
