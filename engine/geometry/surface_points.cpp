@@ -70,8 +70,8 @@ int widest_axis(std::span<const Fragment> fragments, float normal_scale) {
     for (const Fragment& fragment : fragments) {
         weight += double(fragment.area);
         for (int axis = 0; axis < 6; ++axis) {
-            const double x = double(axis < 3 ? fragment.position[axis] - origin[axis]
-                                             : axis_of(fragment, axis, normal_scale));
+            const double x =
+                double(axis < 3 ? fragment.position[axis] - origin[axis] : axis_of(fragment, axis, normal_scale));
             sum[size_t(axis)] += double(fragment.area) * x;
             square[size_t(axis)] += double(fragment.area) * x * x;
         }

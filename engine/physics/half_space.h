@@ -6,12 +6,12 @@
 
 namespace tyndall::physics {
 
-/// For each channel, the share of light that has entered a half-space (isotropic scattering, smooth boundary) and leaves
-/// it again, by the cosine inside at which it entered. What the boundary mirrors before does not count.
+/// For each channel, the share of light that has entered a half-space (isotropic scattering, smooth boundary) and
+/// leaves it again, by the cosine inside at which it entered. What the boundary mirrors before does not count.
 ///
 /// Chandrasekhar's law of diffuse reflection (Radiative Transfer, 1960, par. 38) for what the solid returns to the
-/// boundary from inside, and Fresnel's equations for what the boundary returns to the solid; solved as a linear system on
-/// Gauss points. Within 0.002 of photons traced through the solid. Anisotropic phase functions by the similarity of
+/// boundary from inside, and Fresnel's equations for what the boundary returns to the solid; solved as a linear system
+/// on Gauss points. Within 0.002 of photons traced through the solid. Anisotropic phase functions by the similarity of
 /// reduced coefficients.
 class HalfSpace {
  public:

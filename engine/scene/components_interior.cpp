@@ -105,8 +105,7 @@ Material boundary_material(const ScatteringInterior& interior, const std::string
     Material material;
     material.id = new_asset_id();
     material.name = name;
-    material.base_colour =
-        glm::vec4(physics::HalfSpace(reduced / extinction, interior.eta).diffuse_leaving(), 1.0f);
+    material.base_colour = glm::vec4(physics::HalfSpace(reduced / extinction, interior.eta).diffuse_leaving(), 1.0f);
     material.roughness = interior.roughness;
     material.ior = interior.eta;
     material.specular = interior.eta > 1.0f ? 1.0f : 0.0f;

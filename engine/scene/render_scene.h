@@ -91,10 +91,10 @@ struct ScatteringInterior {
     glm::vec3 sigma_a_per_m{0.0f};
     glm::vec3 emission_cd_m2_per_m{0.0f};  ///< radiance given off per metre
     PhaseFunction phase;
-    DensityField density;    ///< multiplies the three above
-    float eta = 1.3f;        ///< index of refraction; 1 = index-matched: light passes the boundary unbent
-    float roughness = 0.0f;  ///< of the boundary, perceptual; 0 = smooth
-    int priority = 0;        ///< where interiors overlap, the highest is there and the others are not
+    DensityField density;            ///< multiplies the three above
+    float eta = 1.3f;                ///< index of refraction; 1 = index-matched: light passes the boundary unbent
+    float roughness = 0.0f;          ///< of the boundary, perceptual; 0 = smooth
+    int priority = 0;                ///< where interiors overlap, the highest is there and the others are not
     std::string technique = "auto";  ///< what the scene asks to render it with in real time, by a module's names
 };
 

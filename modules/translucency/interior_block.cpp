@@ -10,8 +10,9 @@ namespace tyndall::translucency {
 namespace {
 
 /// Light begins to spread where it first collides. What leaves again has collided nearer than the mean: of the places
-/// tried, half the mean free path is nearest to traced spheres.
-constexpr float kFirstPath = 0.5f;
+/// tried, two fifths of the mean free path are nearest to traced
+/// spheres.
+constexpr float kFirstPath = 0.4f;
 /// Light that leaves so many mean free paths from where it entered has forgotten where that was (by 1 - 1/e).
 constexpr float kDeepPaths = 4.0f;
 
@@ -37,8 +38,7 @@ InteriorBlock block_of(const InteriorKey& key) {
     block.kernel_rate = glm::vec4(kernel.rate(), std::numbers::log2e_v<float> / (kDeepPaths * path), 0.0f, 0.0f);
     block.sigma_s_reduced = glm::vec4(optics.sigma_s_reduced, 0.0f);
     block.sigma_a = glm::vec4(optics.sigma_a, 0.0f);
-    block.published =
-        glm::vec4(exact ? 1.0f / glm::max(kernel.returned(), glm::vec3(1e-12f)) : glm::vec3(1.0f), 0.0f);
+    block.published = glm::vec4(exact ? 1.0f / glm::max(kernel.returned(), glm::vec3(1e-12f)) : glm::vec3(1.0f), 0.0f);
     return block;
 }
 

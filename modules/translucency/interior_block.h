@@ -15,7 +15,7 @@ struct InteriorBlock {
     glm::vec4 base_entering;  ///< rgb base of the boundary's material; w share of diffuse light that enters
     glm::vec4 boundary;       ///< x index of refraction; y metres to the first collision; z 1 when as much leaves as is
                               ///< exact, 0 when the model decides
-    glm::vec4 kernel_rate;    ///< x of the widest Gaussian, 1/m2; y at which light forgets where it entered, log2 a metre
+    glm::vec4 kernel_rate;  ///< x of the widest Gaussian, 1/m2; y at which light forgets where it entered, log2 a metre
     glm::vec4 sigma_s_reduced, sigma_a;  ///< 1/m
     glm::vec4 published;                 ///< what the published model is multiplied by
 };

@@ -91,8 +91,8 @@ void RadialKernel::integrate(const Optics& optics, Model model) {
     within_.assign(1, glm::dvec3(0.0));
     for (int i = 0; i < kSteps; ++i) {
         const double r = std::exp(first_ + (i + 0.5) * step_);
-        within_.push_back(within_.back() + 2.0 * std::numbers::pi * r * r * step_ *
-                                               glm::dvec3(exitance(model, optics, float(r))));
+        within_.push_back(within_.back() +
+                          2.0 * std::numbers::pi * r * r * step_ * glm::dvec3(exitance(model, optics, float(r))));
     }
 }
 
@@ -134,7 +134,8 @@ void RadialKernel::fit() {
         if (i == 0) most = wanted;
         Gaussians basis;
         for (size_t k = 0; k < basis.size(); ++k) basis[k] = std::exp(-std::ldexp(narrowest, -int(k)) * r * r);
-        for (int c = 0; c < 3; ++c) equations[size_t(c)].add(basis, wanted[c], 1.0 / (wanted[c] + 1e-9 * most[c] + 1e-300));
+        for (int c = 0; c < 3; ++c)
+            equations[size_t(c)].add(basis, wanted[c], 1.0 / (wanted[c] + 1e-9 * most[c] + 1e-300));
     }
     for (int c = 0; c < 3; ++c) {
         const Gaussians weights = equations[size_t(c)].solve();

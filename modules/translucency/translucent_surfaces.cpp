@@ -23,8 +23,10 @@ Technique TechniquePlan::technique_of(const Surface& surface) {
     if (const auto found = std::ranges::find(names, asked); found != names.end())
         return static_cast<Technique>(found - names.begin());
     if (asked != "auto" && refused_.insert(asked).second)
-        log::warning("{}", Diagnostic{{}, "interior/technique: '" + asked + "' does not exist",
-                                      "auto or one of " + join_names(names), nearest_name(asked, names)}
+        log::warning("{}", Diagnostic{{},
+                                      "interior/technique: '" + asked + "' does not exist",
+                                      "auto or one of " + join_names(names),
+                                      nearest_name(asked, names)}
                                .text());
     return Technique::points;
 }

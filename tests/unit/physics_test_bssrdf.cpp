@@ -72,8 +72,8 @@ TEST(HalfSpace, ReturnsWhatPhotonsDo) {
     for (const auto& [albedo, eta, traced] : kSlanted) {
         const HalfSpace returns{vec3(float(albedo)), float(eta)};
         const double inside = std::sqrt(1.0 - 0.75 / (eta * eta));
-        const double found = (1.0 - double(fresnel_dielectric(0.5f, float(eta)))) *
-                             double(returns.leaving(float(inside)).x);
+        const double found =
+            (1.0 - double(fresnel_dielectric(0.5f, float(eta)))) * double(returns.leaving(float(inside)).x);
         worst = std::max(worst, std::abs(found - traced));
     }
     measured("share of light that leaves, worst absolute error", worst);

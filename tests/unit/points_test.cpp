@@ -153,7 +153,8 @@ TEST(PointCloud, VerticesBlendPointsNearBy) {
 glm::dvec3 over_triangle(const std::array<glm::vec3, 3>& p, const std::array<glm::vec3, 3>& n, const glm::vec3& at,
                          const glm::vec3& to_light, double path, int depth = 0) {
     const glm::vec3 middle = (p[0] + p[1] + p[2]) / 3.0f;
-    const double edge = double(std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])}));
+    const double edge =
+        double(std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])}));
     const double r = double(glm::distance(middle, at));
     if (edge > 0.3 * std::max(r, path) && depth < 6) {
         const std::array<glm::vec3, 3> q{0.5f * (p[0] + p[1]), 0.5f * (p[1] + p[2]), 0.5f * (p[2] + p[0])};
@@ -189,28 +190,28 @@ class PointsTest : public RendererTest {
         engine.renderer().retain({"radiance", "scene_depth"});
         engine.renderer().render(scene, {kSize, kSize});
         EXPECT_EQ(engine.problems(), "");
-        compare(scene, picture(*engine.renderer().target("radiance")), picture(*engine.renderer().target("scene_depth")),
-                mean, block);
+        compare(scene, picture(*engine.renderer().target("radiance")),
+                picture(*engine.renderer().target("scene_depth")), mean, block);
     }
 
     static constexpr int kSize = 64, kBlock = 16, kStride = 4;
 
     static std::string scene_text(const std::string& mesh, float scale, float opening) {
         return R"({"tyndall": 1, "modules": ["translucency"], "render": {"image": {"antialiasing": "none"},
-          "translucency": {"model": "better", "scaling": "published", "points": {"opening": )" + std::to_string(opening) + R"(}}}, "entities": [
+          "translucency": {"model": "better", "scaling": "published", "points": {"opening": )" +
+               std::to_string(opening) + R"(}}}, "entities": [
           {"name": "Camera", "transform": {"translation": [0, 0, 0.06], "look_at": [0, 0, 0]},
            "camera": {"vertical_fov_deg": 24, "exposure": 1, "near_m": 0.001}},
           {"name": "Sun", "transform": {"translation": [1, 0.4, 0.2], "look_at": [0, 0, 0]},
            "directional_light": {"illuminance_lux": 1}},
           {"name": "Solid", "transform": {"scale": )" +
-               std::to_string(scale) + R"(}, "mesh": {)" + mesh +
-               R"(}, "interior": {"preset": "potato", "ior": 1}}]})";
+               std::to_string(scale) + R"(}, "mesh": {)" + mesh + R"(}, "interior": {"preset": "potato", "ior": 1}}]})";
     }
 
     static glm::vec3 place_of(const RenderScene& scene, int x, int y, float depth) {
         const float t = std::tan(0.5f * scene.camera.vertical_fov), far = scene.camera.near_m / depth;
-        const glm::vec3 along((2.0f * (float(x) + 0.5f) / kSize - 1.0f) * t, (1.0f - 2.0f * (float(y) + 0.5f) / kSize) * t,
-                              -1.0f);
+        const glm::vec3 along((2.0f * (float(x) + 0.5f) / kSize - 1.0f) * t,
+                              (1.0f - 2.0f * (float(y) + 0.5f) / kSize) * t, -1.0f);
         return glm::vec3(scene.camera.transform * glm::vec4(far * along, 1.0f));
     }
 
@@ -261,8 +262,8 @@ class PointsTest : public RendererTest {
                 if (truth[b][c] > 0.02 * all_truth[c] / double(found.size()))
                     worst = std::max(worst, std::abs(found[b][c] / truth[b][c] - 1.0));
         const glm::dvec3 mean = all_found / all_truth;
-        std::printf("%zu pixels: mean %.4f %.4f %.4f of the double loop, worst block off by %.4f\n", pixels.size(), mean.x,
-                    mean.y, mean.z, worst);
+        std::printf("%zu pixels: mean %.4f %.4f %.4f of the double loop, worst block off by %.4f\n", pixels.size(),
+                    mean.x, mean.y, mean.z, worst);
         EXPECT_GT(pixels.size(), 20u);
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], 1.0, mean_limit);
         EXPECT_LT(worst, block_limit);

@@ -66,9 +66,10 @@ class PointGrid {
     std::vector<uint32_t> begins_, order_;
 };
 
-/// The nearest points and one more, whose distance is where weights have fallen to nothing (Franke & Little's variant of
-/// Shepard's weights: a point that comes or goes does so with weight 0).
-PointCloud::Vertex blended(const PointCloud& cloud, const PointGrid& grid, const glm::vec3& at, const glm::vec3& normal) {
+/// The nearest points and one more, whose distance is where weights have fallen to nothing (Franke & Little's variant
+/// of Shepard's weights: a point that comes or goes does so with weight 0).
+PointCloud::Vertex blended(const PointCloud& cloud, const PointGrid& grid, const glm::vec3& at,
+                           const glm::vec3& normal) {
     constexpr size_t kMost = PointCloud::kNeighbours + 1;
     std::array<std::pair<float, uint32_t>, kMost> best;
     const float weight = kNormalWeight * cloud.spacing;

@@ -15,9 +15,9 @@ namespace tyndall::translucency {
 /// Lengths are of the mesh's own space.
 ///
 /// The points are the leaves of a binary tree; node n of level l holds those from n 2^l on and has the number
-/// first(l) + n. Points gather in clusters of kCluster that lie together: a cluster's list names the nodes that together
-/// hold every point once, each far enough from the whole cluster to count as one (Barnes & Hut 1986; for translucent
-/// solids Jensen & Buhler 2002).
+/// first(l) + n. Points gather in clusters of kCluster that lie together: a cluster's list names the nodes that
+/// together hold every point once, each far enough from the whole cluster to count as one (Barnes & Hut 1986; for
+/// translucent solids Jensen & Buhler 2002).
 struct PointCloud {
     static constexpr uint32_t kCluster = 64;
     static constexpr uint32_t kNeighbours = 4;
@@ -31,12 +31,12 @@ struct PointCloud {
 
     int levels = 0;
     std::vector<SurfacePoint> points;
-    std::vector<uint32_t> lists;           ///< of all clusters, filled up with the node that never has light to fours
+    std::vector<uint32_t> lists;        ///< of all clusters, filled up with the node that never has light to fours
     std::vector<uint32_t> list_begins;  ///< clusters + 1
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;
-    float spacing = 0.0f;                 ///< side of a square of a piece's area
-    float radius = 0.0f;                  ///< 3 times the volume over the surface; 0 = the mesh encloses nothing
+    float spacing = 0.0f;  ///< side of a square of a piece's area
+    float radius = 0.0f;   ///< 3 times the volume over the surface; 0 = the mesh encloses nothing
 
     /// Number of a level's first node.
     [[nodiscard]] uint32_t first(int level) const {

@@ -39,7 +39,8 @@ void dispatch(uint32_t points) {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-/// How a transform stretches the mesh's axes, over the most, in steps of a fiftieth so that little changes keep the cloud.
+/// How a transform stretches the mesh's axes, over the most, in steps of a fiftieth so that little changes keep the
+/// cloud.
 glm::vec3 shape_of(const glm::mat4& transform) {
     const glm::vec3 scale(glm::length(transform[0]), glm::length(transform[1]), glm::length(transform[2]));
     const glm::vec3 steps = glm::round(50.0f * glm::log(scale / std::max({scale.x, scale.y, scale.z})));
@@ -165,7 +166,8 @@ const GpuCloud& PointsPass::cloud_of(const Surface& surface) {
         log::info("translucency: {}: {} points, {} to gather from on average, {:.1f} MB, {:.2f} s", surface.mesh->name,
                   made.points.size(),
                   made.points.empty() ? 0 : made.lists.size() * PointCloud::kCluster / made.points.size(),
-                  double(cloud.gpu->bytes()) / 1048576.0, std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
+                  double(cloud.gpu->bytes()) / 1048576.0,
+                  std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
     }
     return *cloud.gpu;
 }
@@ -195,8 +197,7 @@ void PointsPass::forget_unused() {
     std::erase_if(clouds_, old);
 }
 
-void PointsPass::balance(PassContext& context, const Surface& surface, const GpuCloud& cloud,
-                         const GpuObject& object) {
+void PointsPass::balance(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
     const int rounds = settings_.scaling == Scaling::exact ? kBalanceRounds : 0;
     for (int round = 0; round <= rounds; ++round) {
         const gpu::Program& even = compute(context, "even", round == 0 ? kBegin : kNone);
@@ -261,7 +262,8 @@ void PointsPass::draw(PassContext& context, const Surface& surface, const GpuClo
         }
         glVertexArrayAttribFormat(vertex_array_, 0, 3, GL_FLOAT, GL_FALSE, offsetof(PointCloud::Vertex, position));
         glVertexArrayAttribIFormat(vertex_array_, 1, 2, GL_UNSIGNED_INT, offsetof(PointCloud::Vertex, points));
-        glVertexArrayAttribFormat(vertex_array_, 2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(PointCloud::Vertex, weights));
+        glVertexArrayAttribFormat(vertex_array_, 2, 4, GL_UNSIGNED_BYTE, GL_TRUE,
+                                  offsetof(PointCloud::Vertex, weights));
     }
     glVertexArrayVertexBuffer(vertex_array_, 0, cloud.vertices.name(), 0, sizeof(PointCloud::Vertex));
     glVertexArrayElementBuffer(vertex_array_, cloud.indices.name());
