@@ -240,6 +240,15 @@ size_t GpuScene::draw_depth(const DrawView& view) {
     return self_->draw(view, kDepth, true, {});
 }
 
+void GpuScene::draw_mesh(const MeshAsset& mesh) {
+    const GpuMesh& gpu_mesh = self_->meshes.get(mesh);
+    if (gpu_mesh.index_count == 0 || self_->instances.name() == 0) return;
+    self_->meshes.bind(self_->instances);
+    self_->meshes.bind(gpu_mesh);
+    glDrawElements(GL_TRIANGLES, gpu_mesh.index_count, GL_UNSIGNED_INT, nullptr);
+    self_->triangles += static_cast<size_t>(gpu_mesh.index_count) / 3;
+}
+
 uint64_t GpuScene::casters_hash(const glm::mat4& clip_from_world) const {
     const Frustum frustum(clip_from_world);
     uint64_t hash = 0xcbf29ce484222325ull;

@@ -53,6 +53,9 @@ class GpuScene {
     /// Fills the bound depth target alone (shadow maps, prepasses).
     size_t draw_depth(const DrawView& view);
 
+    /// Draws one mesh with the program in use and the state as it is: attribute 0 is the position in the mesh's space.
+    void draw_mesh(const MeshAsset& mesh);
+
     /// Changes when what `draw_depth` with `casters_only` would draw in this view changes: a cached shadow map is good
     /// as long as this and its matrix stay the same.
     [[nodiscard]] uint64_t casters_hash(const glm::mat4& clip_from_world) const;

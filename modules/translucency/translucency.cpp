@@ -1,5 +1,6 @@
 // The module: what it registers.
 
+#include "htsm/htsm_pass.h"
 #include "module/module.h"
 #include "points/points_pass.h"
 
@@ -11,6 +12,7 @@ class Translucency final : public Module {
         const TranslucencySettings& settings = registrar.settings<TranslucencySettings>();
         const auto plan = std::make_shared<TechniquePlan>();
         registrar.pass(std::make_unique<PointsPass>(plan, settings));
+        registrar.pass(std::make_unique<HtsmPass>(plan, settings));
     }
 };
 

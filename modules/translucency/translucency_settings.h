@@ -25,12 +25,37 @@ inline void describe(StructBuilder<PointsSettings>& d) {
         .range(0.0, 2.0);
 }
 
+/// How the technique htsm weights its rays.
+enum class HtsmForm { physical, shopf };
+
+/// The technique htsm.
+struct HtsmSettings {
+    int32_t rays = 9;
+    int32_t steps = 16;
+    int32_t resolution = 64;
+    HtsmForm form = HtsmForm::physical;
+};
+
+inline void describe(StructBuilder<HtsmSettings>& d) {
+    d.doc("Heterogeneous translucent shadow maps: rays through a grid of the density to where the light entered.");
+    d.field("rays", &HtsmSettings::rays, "Rays a pixel and light: 1, 5, 9 or 13; others count as the next of these.")
+        .range(1, 13);
+    d.field("steps", &HtsmSettings::steps, "Places at which a ray looks at the density.").range(1, 256);
+    d.field("resolution", &HtsmSettings::resolution, "Voxels of the grid along the object's longest side.")
+        .range(8, 256);
+    d.field("form", &HtsmSettings::form,
+            "physical: single scattering, by the optical depth of both parts of the way; shopf: the formula of the "
+            "paper, by lengths.",
+            {"physical", "shopf"});
+}
+
 struct TranslucencySettings {
     static constexpr std::string_view kName = "translucency";
     bool enabled = true;
     Model model = Model::photon_beams;
     Scaling scaling = Scaling::exact;
     PointsSettings points;
+    HtsmSettings htsm;
 };
 
 inline void describe(StructBuilder<TranslucencySettings>& d) {
@@ -43,6 +68,7 @@ inline void describe(StructBuilder<TranslucencySettings>& d) {
             "How much leaves in all: as much as a half-space returns (exact), or what the model says (published).",
             {"exact", "published"});
     d.field("points", &S::points, "The technique points.");
+    d.field("htsm", &S::htsm, "The technique htsm.");
 }
 
 }  // namespace tyndall::translucency

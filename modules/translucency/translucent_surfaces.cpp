@@ -9,7 +9,7 @@
 namespace tyndall::translucency {
 
 const std::vector<std::string>& technique_names() {
-    static const std::vector<std::string> kNames{"plain", "points"};
+    static const std::vector<std::string> kNames{"plain", "points", "htsm"};
     return kNames;
 }
 
@@ -28,7 +28,18 @@ Technique TechniquePlan::technique_of(const Surface& surface) {
                                       "auto or one of " + join_names(names),
                                       nearest_name(asked, names)}
                                .text());
-    return Technique::points;
+    const bool even = std::holds_alternative<ConstantDensity>(surface.interior->density);
+    const Technique technique = even ? Technique::points : Technique::htsm;
+    log_choice(surface, technique, even ? "the same density everywhere" : "the density varies");
+    return technique;
+}
+
+void TechniquePlan::log_choice(const Surface& surface, Technique technique, std::string_view reason) {
+    const auto [found, is_new] = logged_.try_emplace({surface.entity.index, surface.entity.generation}, technique);
+    if (!is_new && found->second == technique) return;
+    found->second = technique;
+    log::info("translucency: {}: auto takes {}: {}", surface.material->name,
+              technique_names()[static_cast<size_t>(technique)], reason);
 }
 
 std::vector<size_t> TechniquePlan::surfaces(const RenderScene& scene, Technique technique) {

@@ -1,0 +1,51 @@
+#pragma once
+/// The technique htsm: heterogeneous translucent shadow maps (Shopf 2006), as published and as single scattering.
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "htsm/solid.h"
+#include "render/frame_graph.h"
+#include "render/light_programs.h"
+#include "render/specular_table.h"
+#include "translucency_settings.h"
+#include "translucent_surfaces.h"
+
+namespace tyndall::translucency {
+
+/// The next of 1, 5, 9 and 13.
+[[nodiscard]] constexpr int whole_pattern(int rays) {
+    return rays <= 1 ? 1 : rays <= 5 ? 5 : rays <= 9 ? 9 : 13;
+}
+
+class HtsmPass final : public Pass {
+ public:
+    HtsmPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings& settings);
+
+    [[nodiscard]] std::string_view name() const override { return "translucency.htsm"; }
+    void declare(PassDeclaration& declaration) override;
+    void execute(PassContext& context) override;
+
+ private:
+    struct Object {
+        Solid solid;
+        uint64_t last_used = 0;
+    };
+    using ObjectKey = std::pair<uint64_t, uint64_t>;  ///< entity and mesh
+
+    Object& object_of(const Surface& surface);
+    void render(PassContext& context, const Surface& surface, const Solid& solid);
+    void bind(const gpu::Program& program, PassContext& context, const Surface& surface, const Solid& solid);
+    void begin(PassContext& context, const Surface& surface, const Solid& solid);
+    void add_lights(PassContext& context, const Surface& surface, const Solid& solid);
+
+    std::shared_ptr<TechniquePlan> plan_;
+    const TranslucencySettings& settings_;
+    std::map<ObjectKey, Object> objects_;
+    LightPrograms physical_, shopf_;
+    SpecularTableTexture table_;
+    uint64_t frame_ = 0;
+};
+
+}  // namespace tyndall::translucency

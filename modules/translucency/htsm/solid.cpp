@@ -1,0 +1,135 @@
+#include "htsm/solid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/log.h"
+#include "physics/physics.h"
+#include "scene/scattering_components.h"
+
+namespace tyndall::translucency {
+namespace {
+
+constexpr int kPhaseColumns = 1024;  ///< as in shaders/htsm/object.glsl
+/// Of the lines through a mesh, so many may be open before it is said: scans have small holes.
+constexpr float kOpen = 0.01f;
+
+bool same_phase(const PhaseFunction& a, const PhaseFunction& b) {
+    return a.kind == b.kind && a.parameters == b.parameters && a.table == b.table;
+}
+
+}  // namespace
+
+glm::vec4 transport_of(const ScatteringInterior& interior, float longest) {
+    const glm::vec3 reduced = interior.sigma_s_per_m * (glm::vec3(1.0f) - mean_cosine(interior.phase));
+    const glm::vec3 decay = glm::sqrt(3.0f * interior.sigma_a_per_m * (interior.sigma_a_per_m + reduced));
+    const float mean = (decay.x + decay.y + decay.z) / 3.0f;
+    const float distance = std::min(1.0f / std::max(mean, 1e-9f), longest);
+    return {glm::exp(-decay * distance), distance};
+}
+
+std::vector<glm::vec4> phase_row(const PhaseFunction& phase, int columns) {
+    std::vector<glm::vec4> row(static_cast<size_t>(columns));
+    for (size_t i = 0; i < row.size(); ++i) {
+        const float share = static_cast<float>(i) / static_cast<float>(columns - 1);
+        if (phase.kind == PhaseKind::tabulated && phase.table) {
+            const std::vector<glm::vec3>& values = phase.table->values;
+            const float at = share * static_cast<float>(values.size() - 1);
+            const size_t low = std::min(static_cast<size_t>(at), values.size() - 2);
+            row[i] = glm::vec4(glm::mix(values[low], values[low + 1], at - static_cast<float>(low)), 0.0f);
+        } else {
+            row[i] = glm::vec4(physics::phase_evaluate(static_cast<int>(phase.kind), phase.parameters,
+                                                       std::cos(physics::kPi * share)));
+        }
+    }
+    return row;
+}
+
+bool Solid::update(const Surface& surface, double time_s, int resolution) {
+    const bool new_grid = surface.mesh->id != mesh_ || resolution != resolution_;
+    if (new_grid) make_grid(surface, resolution);
+    if (grid_.size == glm::ivec3(0)) return false;
+    const DensityField& density = surface.interior->density;
+    if (new_grid || !same_density(density, density_) ||
+        (moves_with_world(density) && (surface.transform != transform_ || time_s != time_s_)))
+        make_density(surface, time_s);
+    if (!phase_ || !same_phase(*phase_, surface.interior->phase)) make_phase(surface.interior->phase);
+    make_block(surface);
+    return radius_m_ > 0.0f;
+}
+
+void Solid::make_grid(const Surface& surface, int resolution) {
+    mesh_ = surface.mesh->id;
+    resolution_ = resolution;
+    grid_ = make_object_grid(surface.mesh->mesh, resolution);
+    const std::string& name = surface.material->name;
+    if (grid_.size == glm::ivec3(0)) {
+        log::warning("translucency: {}: the mesh {} encloses nothing: it is drawn plainly", name, surface.mesh->name);
+        return;
+    }
+    if (grid_.open_share > kOpen)
+        log::warning("translucency: {}: the mesh {} is open: {:.0f} % of the lines through it do not leave it again",
+                     name, surface.mesh->name, double(100.0f * grid_.open_share));
+    log::info("translucency: {}: a grid of {} x {} x {}, {:.1f} MB", name, grid_.size.x, grid_.size.y, grid_.size.z,
+              double(grid_.count() * sizeof(glm::vec2)) / 1048576.0);
+}
+
+void Solid::make_density(const Surface& surface, double time_s) {
+    density_ = surface.interior->density;
+    transform_ = surface.transform;
+    time_s_ = time_s;
+    if (const auto* grid = std::get_if<GridDensity>(&density_); grid && !grid->volume)
+        log::debug("translucency: {}: its volume is still missing", surface.material->name);
+    fill_density(grid_, DensityEvaluator(density_, surface.transform, time_s));
+    const gpu::TextureDesc desc{.shape = gpu::Shape::volume,
+                                .format = gpu::Format::rg32f,
+                                .width = grid_.size.x,
+                                .height = grid_.size.y,
+                                .layers = grid_.size.z};
+    if (voxels_.name() == 0 || voxels_.desc() != desc) voxels_ = gpu::Texture(desc, "translucency.voxels");
+    const size_t slice = size_t(grid_.size.x) * size_t(grid_.size.y);
+    std::vector<glm::vec2> texels(slice);
+    for (int z = 0; z < grid_.size.z; ++z) {
+        for (size_t i = 0; i < slice; ++i)
+            texels[i] = {grid_.density[size_t(z) * slice + i], grid_.inside[size_t(z) * slice + i]};
+        voxels_.upload(0, z, texels.data());
+    }
+}
+
+void Solid::make_phase(const PhaseFunction& phase) {
+    phase_ = phase;
+    const std::vector<glm::vec4> row = phase_row(phase, kPhaseColumns);
+    if (phase_table_.name() == 0)
+        phase_table_ = gpu::Texture({.format = gpu::Format::rgba32f, .width = kPhaseColumns}, "translucency.phase");
+    phase_table_.upload(0, 0, row.data());
+}
+
+void Solid::make_block(const Surface& surface) {
+    const ScatteringInterior& interior = *surface.interior;
+    const glm::mat4 world_from_unit = surface.transform * glm::inverse(grid_.to_unit_box());
+    const glm::vec3 sides(glm::length(glm::vec3(world_from_unit[0])), glm::length(glm::vec3(world_from_unit[1])),
+                          glm::length(glm::vec3(world_from_unit[2])));
+    const glm::vec3 voxel = sides / glm::vec3(grid_.size);
+    const glm::vec3 extinction = interior.sigma_s_per_m + interior.sigma_a_per_m;
+    // flattened to nothing by its transform, there is no inside
+    radius_m_ = std::abs(glm::determinant(glm::mat3(world_from_unit))) > 0.0f ? 0.5f * glm::length(sides) : 0.0f;
+    if (radius_m_ == 0.0f) return;
+    SolidBlock block{};
+    block.unit_from_world = glm::inverse(world_from_unit);
+    block.scattering_eta = glm::vec4(interior.sigma_s_per_m, interior.eta);
+    block.extinction_guide = glm::vec4(extinction, (extinction.x + extinction.y + extinction.z) / 3.0f);
+    block.scale_voxel = glm::vec4(0.0f, 0.0f, 0.0f, std::cbrt(voxel.x * voxel.y * voxel.z));
+    block.transport = transport_of(interior, 2.0f * radius_m_);
+    block.view.x = surface.casts_shadow ? 1.0f : 0.0f;
+    if (buffer_.name() == 0) buffer_ = gpu::Buffer(sizeof block, nullptr, "translucency.solid");
+    buffer_.update(0, sizeof block, &block);
+    block_ = block;
+}
+
+void Solid::bind(const gpu::Program& program) const {
+    program.block("Solid", buffer_);
+    program.texture("solid_grid", voxels_, {.filter = gpu::Filter::linear});
+    program.texture("phase_table", phase_table_, {.filter = gpu::Filter::linear});
+}
+
+}  // namespace tyndall::translucency

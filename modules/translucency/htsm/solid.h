@@ -1,0 +1,59 @@
+#pragma once
+/// A translucent solid on the GPU, for the technique htsm.
+
+#include <glm/mat4x4.hpp>
+#include <memory>
+
+#include "gpu/gpu.h"
+#include "htsm/object_grid.h"
+#include "scene/render_scene.h"
+
+namespace tyndall::translucency {
+
+/// The uniform block "Solid" of shaders/htsm/object.glsl: keep both the same.
+struct SolidBlock {
+    glm::mat4 unit_from_world;
+    glm::vec4 scattering_eta;    ///< rgb 1/m, w index of refraction
+    glm::vec4 extinction_guide;  ///< rgb 1/m, w the channels' mean
+    glm::vec4 scale_voxel;       ///< w metres a voxel
+    glm::vec4 transport;         ///< rgb transport colour, w transport distance in metres
+    glm::vec4 view;              ///< x 1: the object is in the shadow maps
+};
+
+/// Shopf's transport colour and distance (2006, 4.3.3), which he leaves to the user: how far light comes in diffusion
+/// before 1/e is left of the channels' mean, and what is left of each channel there. w is in metres, at most `longest`.
+[[nodiscard]] glm::vec4 transport_of(const ScatteringInterior& interior, float longest);
+
+/// Values of a phase function over the scattering angle, the first forward, 1/sr.
+[[nodiscard]] std::vector<glm::vec4> phase_row(const PhaseFunction& phase, int columns);
+
+/// What an object is looked up in. Made anew in parts, when what they are made from changes.
+class Solid {
+ public:
+    /// False when the mesh encloses nothing: there is nothing to march.
+    bool update(const Surface& surface, double time_s, int resolution);
+    void bind(const gpu::Program& program) const;
+
+    [[nodiscard]] float radius_m() const { return radius_m_; }
+    [[nodiscard]] const SolidBlock& block() const { return block_; }
+
+ private:
+    void make_grid(const Surface& surface, int resolution);
+    void make_density(const Surface& surface, double time_s);
+    void make_phase(const PhaseFunction& phase);
+    void make_block(const Surface& surface);
+
+    ObjectGrid grid_;
+    uint64_t mesh_ = 0;
+    int resolution_ = 0;
+    DensityField density_;
+    glm::mat4 transform_{0.0f};
+    double time_s_ = 0.0;
+    std::optional<PhaseFunction> phase_;
+    SolidBlock block_{};
+    float radius_m_ = 0.0f;
+    gpu::Texture voxels_, phase_table_;
+    gpu::Buffer buffer_;
+};
+
+}  // namespace tyndall::translucency

@@ -1,0 +1,44 @@
+// Adds one light that has scattered once inside a solid on its way to the eye.
+//
+// Along the eye's refracted ray as many places as there are rays are chosen, each standing for the same share of what
+// the density lets through; from each a ray goes on to where the light entered (the shadow map). Both parts march the
+// density. The sum is the integral of single scattering: exp(-optical depth of both parts) sigma_s p E.
+#include "translucency/htsm/seen.glsl"
+#include "translucency/htsm/entry.glsl"
+
+uniform int rays;
+layout(location = 0) out vec4 gathered;
+
+void main() {
+    Seen seen;
+    gathered = vec4(0.0);
+    if (!seen_here(seen)) discard;
+    vec3 unit = unit_at(seen.place), direction = unit_direction(seen.inward);
+    float ignored;
+    float length_m = way_out(unit, direction);
+    float whole = density_along(unit, direction, length_m, ignored);
+    float guide = max(solid.extinction_guide.w, 1e-3 / max(whole, 1e-9));
+    float share = 1.0 - exp(-guide * whole);
+    if (whole > 0.0) {
+        float step_m = length_m / float(steps);
+        vec3 advance = direction * step_m, at = unit - 0.5 * advance;
+        float before = 0.0, next = 0.0, amount = 0.0, inside;  // the density so far, up to the step's two ends
+        int walked = 0;
+        vec3 sum = vec3(0.0);
+        for (int i = 0; i < rays; ++i) {
+            float wanted = -log(1.0 - share * (float(i) + 0.5) / float(rays)) / guide;
+            while (next < wanted && walked < steps) {
+                before = next;
+                at += advance;
+                next += density_at(at, inside) * step_m;
+                ++walked;
+            }
+            float within = clamp((wanted - before) / max(next - before, 1e-20), 0.0, 1.0);
+            vec3 place = seen.place + seen.inward * ((float(walked - 1) + within) * step_m);
+            Entry entry = entry_toward(place);
+            vec3 weight = exp(guide * wanted - solid.extinction_guide.rgb * (wanted + entry.amount));
+            sum += weight * phase_at(dot(entry.travel, -seen.inward)) * entry.irradiance;
+        }
+        gathered.rgb = sum * solid.scattering_eta.rgb * (share / (guide * float(rays)) * seen.leaves) * seen.scale;
+    }
+}
