@@ -34,6 +34,7 @@ struct HtsmSettings {
     int32_t steps = 16;
     int32_t resolution = 64;
     HtsmForm form = HtsmForm::physical;
+    float transport_distance_m = 0.0f;
 };
 
 inline void describe(StructBuilder<HtsmSettings>& d) {
@@ -47,6 +48,10 @@ inline void describe(StructBuilder<HtsmSettings>& d) {
             "physical: single scattering, by the optical depth of both parts of the way; shopf: the formula of the "
             "paper, by lengths.",
             {"physical", "shopf"});
+    d.field("transport_distance_m", &HtsmSettings::transport_distance_m,
+            "shopf only: half the way after which no light is left; 0 takes it from the coefficients.")
+        .unit("m")
+        .range(0.0, 1e6);
 }
 
 struct TranslucencySettings {

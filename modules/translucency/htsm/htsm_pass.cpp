@@ -1,6 +1,7 @@
 #include "htsm/htsm_pass.h"
 
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -14,23 +15,31 @@ namespace tyndall::translucency {
 namespace {
 
 constexpr uint64_t kKeptFrames = 120;
+const std::vector<std::string> kAllAround{"ALL_AROUND"}, kNothing;
 /// The first ring of Shopf's pattern over the transport distance, and over the object's radius at most: the third ring,
 /// four times as wide, still meets the object.
 constexpr float kRing = 0.25f, kMostRing = 0.12f;
 
-gpu::ProgramDesc program_of(const std::string& name) {
+gpu::ProgramDesc program_of(const HtsmPass::Variant& variant, const std::string& name,
+                            const std::vector<std::string>& more = {}) {
+    std::vector<std::string> defines = more;
+    defines.push_back(fmt::format("STEPS {}", variant.steps));
+    if (variant.bends) defines.emplace_back("BENDS");
     return {.name = "translucency.htsm." + name,
             .vertex = "translucency/htsm/surface.vert",
-            .fragment = "translucency/htsm/" + name + ".frag"};
+            .fragment = "translucency/htsm/" + name + ".frag",
+            .defines = std::move(defines)};
+}
+
+bool has_light_all_around(const RenderScene& scene) {
+    return !scene.probes.empty() || scene.sky.image || scene.sky.radiance != glm::vec3(0.0f);
 }
 
 }  // namespace
 
 HtsmPass::HtsmPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings& settings)
     : plan_(std::move(plan)),
-      settings_(settings),
-      physical_(program_of("physical")),
-      shopf_(program_of("shopf")) {}
+      settings_(settings) {}
 
 void HtsmPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::diffusion)
@@ -47,7 +56,7 @@ void HtsmPass::execute(PassContext& context) {
         for (const size_t index : plan_->surfaces(context.frame().scene, Technique::htsm)) {
             const Surface& surface = context.frame().scene.surfaces[index];
             Object& object = object_of(surface);
-            if (object.solid.update(surface, context.frame().scene.time_s, settings_.htsm.resolution))
+            if (object.solid.update(surface, context.frame().scene.time_s, settings_.htsm))
                 render(context, surface, object.solid);
         }
     std::erase_if(objects_, [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; });
@@ -83,16 +92,20 @@ void HtsmPass::bind(const gpu::Program& program, PassContext& context, const Sur
     program.set("boundary_mirror", glm::vec4(boundary.specular_colour, boundary.specular));
     program.set("world_from_local", surface.transform);
     program.set("clip_from_world", context.frame().block.view_projection);
-    program.set("steps", settings_.htsm.steps);
+}
+
+HtsmPass::Variant HtsmPass::variant_of(const Surface& surface) const {
+    return {settings_.htsm.form, settings_.htsm.steps, surface.interior->eta > 1.0f};
 }
 
 void HtsmPass::begin(PassContext& context, const Surface& surface, const Solid& solid) {
-    static const gpu::ProgramDesc kDesc = program_of("begin");
     Frame& frame = context.frame();
-    const gpu::Program& program = frame.shaders.program(kDesc);
+    const bool all_around = has_light_all_around(frame.scene);
+    const gpu::Program& program =
+        frame.shaders.program(program_of(variant_of(surface), "begin", all_around ? kAllAround : kNothing));
     program.use();
     bind_frame(program, frame);
-    frame.seams.bind(Seam::indirect_light, program, context);
+    if (all_around) frame.seams.bind(Seam::indirect_light, program, context);
     bind(program, context, surface, solid);
     const DrawState state(DepthState::off, BlendState::attenuate_add);
     frame.gpu_scene.draw_mesh(*surface.mesh);
@@ -101,7 +114,9 @@ void HtsmPass::begin(PassContext& context, const Surface& surface, const Solid& 
 void HtsmPass::add_lights(PassContext& context, const Surface& surface, const Solid& solid) {
     Frame& frame = context.frame();
     const DrawState state(DepthState::off, BlendState::add);
-    LightPrograms& programs = settings_.htsm.form == HtsmForm::physical ? physical_ : shopf_;
+    const Variant variant = variant_of(surface);
+    const char* name = variant.form == HtsmForm::physical ? "physical" : "shopf";
+    LightPrograms& programs = programs_.try_emplace(variant, program_of(variant, name)).first->second;
     programs.begin();
     const gpu::Texture* depths = frame.shadow_maps.texture();
     for (size_t i = 0; i < frame.scene.lights.size(); ++i) {

@@ -21,6 +21,14 @@ namespace tyndall::translucency {
 
 class HtsmPass final : public Pass {
  public:
+    /// What programs are compiled for.
+    struct Variant {
+        HtsmForm form;
+        int steps;
+        bool bends;  ///< the boundary refracts
+        auto operator<=>(const Variant&) const = default;
+    };
+
     HtsmPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings& settings);
 
     [[nodiscard]] std::string_view name() const override { return "translucency.htsm"; }
@@ -34,6 +42,7 @@ class HtsmPass final : public Pass {
     };
     using ObjectKey = std::pair<uint64_t, uint64_t>;  ///< entity and mesh
 
+    [[nodiscard]] Variant variant_of(const Surface& surface) const;
     Object& object_of(const Surface& surface);
     void render(PassContext& context, const Surface& surface, const Solid& solid);
     void bind(const gpu::Program& program, PassContext& context, const Surface& surface, const Solid& solid);
@@ -43,7 +52,7 @@ class HtsmPass final : public Pass {
     std::shared_ptr<TechniquePlan> plan_;
     const TranslucencySettings& settings_;
     std::map<ObjectKey, Object> objects_;
-    LightPrograms physical_, shopf_;
+    std::map<Variant, LightPrograms> programs_;
     SpecularTableTexture table_;
     uint64_t frame_ = 0;
 };

@@ -11,6 +11,10 @@
 
 namespace tyndall::translucency {
 
+/// Where so much of a voxel is inside, its density counts whole: the mesh and the shadow map say the borders to more than
+/// a voxel, and the grid must not thin what lies at them. As in shaders/htsm/object.glsl.
+constexpr float kInsideAll = 0.5f;
+
 /// Values lie at voxel centres, x fastest, then y, then z.
 struct ObjectGrid {
     Bounds box;           ///< of the mesh's space: its bounds and a voxel around them

@@ -14,17 +14,28 @@ constexpr int kPhaseColumns = 1024;  ///< as in shaders/htsm/object.glsl
 /// Of the lines through a mesh, so many may be open before it is said: scans have small holes.
 constexpr float kOpen = 0.01f;
 
+void upload(const glm::ivec3& size, const std::vector<float>& values, gpu::Texture& texture, std::string_view label) {
+    const gpu::TextureDesc desc{.shape = gpu::Shape::volume,
+                                .format = gpu::Format::r32f,
+                                .width = size.x,
+                                .height = size.y,
+                                .layers = size.z};
+    if (texture.name() == 0 || texture.desc() != desc) texture = gpu::Texture(desc, label);
+    const size_t slice = size_t(size.x) * size_t(size.y);
+    for (int z = 0; z < size.z; ++z) texture.upload(0, z, &values[size_t(z) * slice]);
+}
+
 bool same_phase(const PhaseFunction& a, const PhaseFunction& b) {
     return a.kind == b.kind && a.parameters == b.parameters && a.table == b.table;
 }
 
 }  // namespace
 
-glm::vec4 transport_of(const ScatteringInterior& interior, float longest) {
+glm::vec4 transport_of(const ScatteringInterior& interior, float longest, float chosen) {
     const glm::vec3 reduced = interior.sigma_s_per_m * (glm::vec3(1.0f) - mean_cosine(interior.phase));
     const glm::vec3 decay = glm::sqrt(3.0f * interior.sigma_a_per_m * (interior.sigma_a_per_m + reduced));
     const float mean = (decay.x + decay.y + decay.z) / 3.0f;
-    const float distance = std::min(1.0f / std::max(mean, 1e-9f), longest);
+    const float distance = chosen > 0.0f ? chosen : std::min(1.0f / std::max(mean, 1e-9f), longest);
     return {glm::exp(-decay * distance), distance};
 }
 
@@ -45,16 +56,16 @@ std::vector<glm::vec4> phase_row(const PhaseFunction& phase, int columns) {
     return row;
 }
 
-bool Solid::update(const Surface& surface, double time_s, int resolution) {
-    const bool new_grid = surface.mesh->id != mesh_ || resolution != resolution_;
-    if (new_grid) make_grid(surface, resolution);
+bool Solid::update(const Surface& surface, double time_s, const HtsmSettings& settings) {
+    const bool new_grid = surface.mesh->id != mesh_ || settings.resolution != resolution_;
+    if (new_grid) make_grid(surface, settings.resolution);
     if (grid_.size == glm::ivec3(0)) return false;
     const DensityField& density = surface.interior->density;
     if (new_grid || !same_density(density, density_) ||
         (moves_with_world(density) && (surface.transform != transform_ || time_s != time_s_)))
         make_density(surface, time_s);
     if (!phase_ || !same_phase(*phase_, surface.interior->phase)) make_phase(surface.interior->phase);
-    make_block(surface);
+    make_block(surface, settings.transport_distance_m);
     return radius_m_ > 0.0f;
 }
 
@@ -70,6 +81,7 @@ void Solid::make_grid(const Surface& surface, int resolution) {
     if (grid_.open_share > kOpen)
         log::warning("translucency: {}: the mesh {} is open: {:.0f} % of the lines through it do not leave it again",
                      name, surface.mesh->name, double(100.0f * grid_.open_share));
+    upload(grid_.size, grid_.inside, inside_, "translucency.inside");
     log::info("translucency: {}: a grid of {} x {} x {}, {:.1f} MB", name, grid_.size.x, grid_.size.y, grid_.size.z,
               double(grid_.count() * sizeof(glm::vec2)) / 1048576.0);
 }
@@ -81,19 +93,9 @@ void Solid::make_density(const Surface& surface, double time_s) {
     if (const auto* grid = std::get_if<GridDensity>(&density_); grid && !grid->volume)
         log::debug("translucency: {}: its volume is still missing", surface.material->name);
     fill_density(grid_, DensityEvaluator(density_, surface.transform, time_s));
-    const gpu::TextureDesc desc{.shape = gpu::Shape::volume,
-                                .format = gpu::Format::rg32f,
-                                .width = grid_.size.x,
-                                .height = grid_.size.y,
-                                .layers = grid_.size.z};
-    if (voxels_.name() == 0 || voxels_.desc() != desc) voxels_ = gpu::Texture(desc, "translucency.voxels");
-    const size_t slice = size_t(grid_.size.x) * size_t(grid_.size.y);
-    std::vector<glm::vec2> texels(slice);
-    for (int z = 0; z < grid_.size.z; ++z) {
-        for (size_t i = 0; i < slice; ++i)
-            texels[i] = {grid_.density[size_t(z) * slice + i], grid_.inside[size_t(z) * slice + i]};
-        voxels_.upload(0, z, texels.data());
-    }
+    std::vector<float> marched = grid_.density;
+    for (size_t i = 0; i < marched.size(); ++i) marched[i] *= std::min(grid_.inside[i] / kInsideAll, 1.0f);
+    upload(grid_.size, marched, densities_, "translucency.density");
 }
 
 void Solid::make_phase(const PhaseFunction& phase) {
@@ -102,9 +104,11 @@ void Solid::make_phase(const PhaseFunction& phase) {
     if (phase_table_.name() == 0)
         phase_table_ = gpu::Texture({.format = gpu::Format::rgba32f, .width = kPhaseColumns}, "translucency.phase");
     phase_table_.upload(0, 0, row.data());
+    most_phase_ = glm::vec4(1e-6f);
+    for (const glm::vec4& value : row) most_phase_ = glm::max(most_phase_, value);
 }
 
-void Solid::make_block(const Surface& surface) {
+void Solid::make_block(const Surface& surface, float transport_distance) {
     const ScatteringInterior& interior = *surface.interior;
     const glm::mat4 world_from_unit = surface.transform * glm::inverse(grid_.to_unit_box());
     const glm::vec3 sides(glm::length(glm::vec3(world_from_unit[0])), glm::length(glm::vec3(world_from_unit[1])),
@@ -118,9 +122,10 @@ void Solid::make_block(const Surface& surface) {
     block.unit_from_world = glm::inverse(world_from_unit);
     block.scattering_eta = glm::vec4(interior.sigma_s_per_m, interior.eta);
     block.extinction_guide = glm::vec4(extinction, (extinction.x + extinction.y + extinction.z) / 3.0f);
-    block.scale_voxel = glm::vec4(0.0f, 0.0f, 0.0f, std::cbrt(voxel.x * voxel.y * voxel.z));
-    block.transport = transport_of(interior, 2.0f * radius_m_);
-    block.view.x = surface.casts_shadow ? 1.0f : 0.0f;
+    block.voxel_cast.x = std::cbrt(voxel.x * voxel.y * voxel.z);
+    block.voxel_cast.y = surface.casts_shadow ? 1.0f : 0.0f;
+    block.transport = transport_of(interior, 2.0f * radius_m_, transport_distance);
+    block.most_phase = most_phase_;
     if (buffer_.name() == 0) buffer_ = gpu::Buffer(sizeof block, nullptr, "translucency.solid");
     buffer_.update(0, sizeof block, &block);
     block_ = block;
@@ -128,7 +133,8 @@ void Solid::make_block(const Surface& surface) {
 
 void Solid::bind(const gpu::Program& program) const {
     program.block("Solid", buffer_);
-    program.texture("solid_grid", voxels_, {.filter = gpu::Filter::linear});
+    program.texture("solid_density", densities_, {.filter = gpu::Filter::linear});
+    program.texture("solid_inside", inside_, {.filter = gpu::Filter::linear});
     program.texture("phase_table", phase_table_, {.filter = gpu::Filter::linear});
 }
 

@@ -7,6 +7,7 @@
 #include "gpu/gpu.h"
 #include "htsm/object_grid.h"
 #include "scene/render_scene.h"
+#include "translucency_settings.h"
 
 namespace tyndall::translucency {
 
@@ -15,14 +16,15 @@ struct SolidBlock {
     glm::mat4 unit_from_world;
     glm::vec4 scattering_eta;    ///< rgb 1/m, w index of refraction
     glm::vec4 extinction_guide;  ///< rgb 1/m, w the channels' mean
-    glm::vec4 scale_voxel;       ///< w metres a voxel
+    glm::vec4 voxel_cast;        ///< x metres a voxel, y 1: the object is in the shadow maps
     glm::vec4 transport;         ///< rgb transport colour, w transport distance in metres
-    glm::vec4 view;              ///< x 1: the object is in the shadow maps
+    glm::vec4 most_phase;        ///< rgb the phase function's largest value, 1/sr
 };
 
 /// Shopf's transport colour and distance (2006, 4.3.3), which he leaves to the user: how far light comes in diffusion
-/// before 1/e is left of the channels' mean, and what is left of each channel there. w is in metres, at most `longest`.
-[[nodiscard]] glm::vec4 transport_of(const ScatteringInterior& interior, float longest);
+/// before 1/e is left of the channels' mean, and what is left of each channel there. w is in metres, at most `longest`;
+/// `chosen` above 0 is the distance.
+[[nodiscard]] glm::vec4 transport_of(const ScatteringInterior& interior, float longest, float chosen = 0.0f);
 
 /// Values of a phase function over the scattering angle, the first forward, 1/sr.
 [[nodiscard]] std::vector<glm::vec4> phase_row(const PhaseFunction& phase, int columns);
@@ -31,7 +33,7 @@ struct SolidBlock {
 class Solid {
  public:
     /// False when the mesh encloses nothing: there is nothing to march.
-    bool update(const Surface& surface, double time_s, int resolution);
+    bool update(const Surface& surface, double time_s, const HtsmSettings& settings);
     void bind(const gpu::Program& program) const;
 
     [[nodiscard]] float radius_m() const { return radius_m_; }
@@ -41,7 +43,7 @@ class Solid {
     void make_grid(const Surface& surface, int resolution);
     void make_density(const Surface& surface, double time_s);
     void make_phase(const PhaseFunction& phase);
-    void make_block(const Surface& surface);
+    void make_block(const Surface& surface, float transport_distance);
 
     ObjectGrid grid_;
     uint64_t mesh_ = 0;
@@ -50,9 +52,10 @@ class Solid {
     glm::mat4 transform_{0.0f};
     double time_s_ = 0.0;
     std::optional<PhaseFunction> phase_;
+    glm::vec4 most_phase_{0.0f};
     SolidBlock block_{};
     float radius_m_ = 0.0f;
-    gpu::Texture voxels_, phase_table_;
+    gpu::Texture inside_, densities_, phase_table_;
     gpu::Buffer buffer_;
 };
 

@@ -14,31 +14,30 @@ void main() {
     gathered = vec4(0.0);
     if (!seen_here(seen)) discard;
     vec3 unit = unit_at(seen.place), direction = unit_direction(seen.inward);
-    float ignored;
     float length_m = way_out(unit, direction);
-    float whole = density_along(unit, direction, length_m, ignored);
-    float guide = max(solid.extinction_guide.w, 1e-3 / max(whole, 1e-9));
+    float whole = density_along(unit, direction, length_m);
+    if (whole <= 0.0) return;
+    float guide = max(solid.extinction_guide.w, 1e-3 / whole);
     float share = 1.0 - exp(-guide * whole);
-    if (whole > 0.0) {
-        float step_m = length_m / float(steps);
-        vec3 advance = direction * step_m, at = unit - 0.5 * advance;
-        float before = 0.0, next = 0.0, amount = 0.0, inside;  // the density so far, up to the step's two ends
-        int walked = 0;
-        vec3 sum = vec3(0.0);
-        for (int i = 0; i < rays; ++i) {
-            float wanted = -log(1.0 - share * (float(i) + 0.5) / float(rays)) / guide;
-            while (next < wanted && walked < steps) {
-                before = next;
-                at += advance;
-                next += density_at(at, inside) * step_m;
-                ++walked;
-            }
-            float within = clamp((wanted - before) / max(next - before, 1e-20), 0.0, 1.0);
-            vec3 place = seen.place + seen.inward * ((float(walked - 1) + within) * step_m);
-            Entry entry = entry_toward(place);
-            vec3 weight = exp(guide * wanted - solid.extinction_guide.rgb * (wanted + entry.amount));
-            sum += weight * phase_at(dot(entry.travel, -seen.inward)) * entry.irradiance;
+    EntryView view = entry_view(seen.place, seen.inward);
+    float step_m = length_m / float(STEPS);
+    vec3 advance = direction * step_m, at = unit - 0.5 * advance;
+    float before = 0.0, next = 0.0;  // integral of the density up to both ends of the step
+    int walked = 0;
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < rays; ++i) {
+        float wanted = -log(1.0 - share * (float(i) + 0.5) / float(rays)) / guide;
+        while (next < wanted && walked < STEPS) {
+            before = next;
+            at += advance;
+            next += density_at(at) * step_m;
+            ++walked;
         }
-        gathered.rgb = sum * solid.scattering_eta.rgb * (share / (guide * float(rays)) * seen.leaves) * seen.scale;
+        float within = clamp((wanted - before) / max(next - before, 1e-20), 0.0, 1.0);
+        Entry entry = entry_toward(view, seen.place, seen.inward, (float(walked - 1) + within) * step_m);
+        vec3 weight = exp(guide * wanted - solid.extinction_guide.rgb * (wanted + entry.amount));
+        sum += weight * phase_at(dot(entry.travel, -seen.inward)) * entry.irradiance;
     }
+    sum *= left_at_entry(view, seen.place) * solid.scattering_eta.rgb * (share / (guide * float(rays)));
+    gathered.rgb = sum * seen.leaves * seen.scale;
 }

@@ -31,11 +31,11 @@ bool seen_here(out Seen seen) {
     seen.normal = point.normal;
     seen.inward = ray;
     seen.leaves = 1.0;
-    if (eta > 1.0) {
-        vec3 bent;
-        seen.inward = refract_ray(ray, point.normal, 1.0 / eta, bent) ? bent : -point.normal;
-        seen.leaves = (1.0 - fresnel_dielectric(cosine, eta)) / (eta * eta);
-    }
+#ifdef BENDS
+    vec3 bent;
+    seen.inward = refract_ray(ray, point.normal, 1.0 / eta, bent) ? bent : -point.normal;
+    seen.leaves = (1.0 - fresnel_dielectric(cosine, eta)) / (eta * eta);
+#endif
     StandardMaterial boundary = standard_material(boundary_base.rgb, 0.0, boundary_base.w, boundary_mirror.w, boundary_mirror.rgb);
     vec2 table = specular_table_at(cosine, point.roughness);
     vec3 base = boundary.base_color * (vec3(1.0) - standard_specular_albedo(boundary.f0, boundary.f90, table));

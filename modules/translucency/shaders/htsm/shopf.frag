@@ -1,5 +1,8 @@
 // Adds one light as Shopf (2006, table 4.1) has it: straight rays from where it entered near by, in a pattern that
 // widens, to the pixel: T_c / n sum max(0, (2 T_d - (D_i + alpha_i)) / T_d) f(theta_i) E_i, with the E_i of his text.
+//
+// He does not say on what scale f and E are. Here E is what enters and is not returned by the surface, and f is at most
+// 1 / 4 pi: then no more leaves a ball than has entered it, however clear it is.
 #include "translucency/htsm/seen.glsl"
 #include "translucency/htsm/entry.glsl"
 
@@ -20,26 +23,29 @@ void main() {
     gathered = vec4(0.0);
     if (!seen_here(seen)) discard;
     vec3 right = light_data(light_index).right_cos_outer.xyz, up = light_data(light_index).up_cos_inner.xyz;
-    float voxel = solid.scale_voxel.w, distance_m = solid.transport.w, eta = solid.scattering_eta.w;
+    float voxel = solid.voxel_cast.x, farthest = solid.transport.w;
+    vec3 start = unit_at(seen.place);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < rays; ++i) {
         vec2 offset = pattern(i) * ring_m;
         vec3 beside = seen.place + offset.x * right + offset.y * up, to_light;
-        light_distance(light_index, beside, to_light);
+        float distance_m = light_distance(light_index, beside, to_light);
         bool found;
-        vec3 entered = beside + to_light * metres_to_first(beside, to_light, found);
+        vec3 entered = beside + to_light * metres_to_first(entry_view(beside, right), 0.0, distance_m, found);
         vec3 unit = unit_at(entered);
-        float own = textureLod(solid_grid, unit - unit_direction(to_light) * (0.5 * voxel), 0.0).g;
+        float own = inside_at(unit - unit_direction(to_light) * (0.5 * voxel));
         if (!found || clamp(unit, vec3(0.0), vec3(1.0)) != unit) own = 0.0;
         vec3 ray = entered - seen.place;
-        float way = length(ray), ignored;
+        float way = length(ray);
         ray = way > 1e-9 ? ray / way : -seen.normal;
         float cosine = clamp(dot(normal_near(unit, to_light), to_light), 0.0, 1.0);
-        vec3 irradiance = light_irradiance(light_index, entered, to_light) * (cosine * (1.0 - fresnel_dielectric(cosine, eta)));
+        vec3 irradiance = light_irradiance(light_index, entered, to_light);
+        irradiance *= cosine * (1.0 - fresnel_dielectric(cosine, solid.scattering_eta.w));
         irradiance *= light_transmittance(light_index, entered + to_light * (2.0 * voxel), vec3(0.0));
-        float amount = density_along(unit_at(seen.place), unit_direction(ray), way, ignored);
-        float left = max(0.0, (2.0 * distance_m - (way + amount)) / distance_m);
+        float amount = density_along(start, unit_direction(ray), way);
+        float left = max(0.0, (2.0 * farthest - (way + amount)) / farthest);
         sum += min(own / kInsideAll, 1.0) * left * phase_at(dot(ray, -seen.normal)) * irradiance;
     }
-    gathered.rgb = solid.transport.rgb * sum / float(rays) * seen.scale;
+    vec3 passes = (vec3(1.0) - boundary_base.rgb) / max(4.0 * kPi * solid.most_phase.rgb, vec3(1.0));
+    gathered.rgb = passes * solid.transport.rgb * sum / float(rays) * seen.scale;
 }
