@@ -28,12 +28,16 @@ inline void describe(StructBuilder<PointsSettings>& d) {
 /// How the technique htsm weights its rays.
 enum class HtsmForm { physical, shopf };
 
+/// From where the rays toward the light are marched.
+enum class HtsmMarch { voxels, pixels };
+
 /// The technique htsm.
 struct HtsmSettings {
     int32_t rays = 9;
     int32_t steps = 16;
     int32_t resolution = 64;
     HtsmForm form = HtsmForm::physical;
+    HtsmMarch march = HtsmMarch::voxels;
     float transport_distance_m = 0.0f;
 };
 
@@ -48,6 +52,10 @@ inline void describe(StructBuilder<HtsmSettings>& d) {
             "physical: single scattering, by the optical depth of both parts of the way; shopf: the formula of the "
             "paper, by lengths.",
             {"physical", "shopf"});
+    d.field("march", &HtsmSettings::march,
+            "physical only: where rays toward the light begin: at every voxel, kept while nothing changes and shared by "
+            "all pixels; or anew for each pixel, which is slower and sharper.",
+            {"voxels", "pixels"});
     d.field("transport_distance_m", &HtsmSettings::transport_distance_m,
             "shopf only: half the way after which no light is left; 0 takes it from the coefficients.")
         .unit("m")

@@ -8,6 +8,7 @@
 #include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/gpu_scene.h"
+#include "render/light_buffer.h"
 #include "render/seams.h"
 #include "render/shadow_maps.h"
 
@@ -25,6 +26,7 @@ gpu::ProgramDesc program_of(const HtsmPass::Variant& variant, const std::string&
     std::vector<std::string> defines = more;
     defines.push_back(fmt::format("STEPS {}", variant.steps));
     if (variant.bends) defines.emplace_back("BENDS");
+    if (variant.voxels) defines.emplace_back("OF_VOXELS");
     return {.name = "translucency.htsm." + name,
             .vertex = "translucency/htsm/surface.vert",
             .fragment = "translucency/htsm/" + name + ".frag",
@@ -57,7 +59,7 @@ void HtsmPass::execute(PassContext& context) {
             const Surface& surface = context.frame().scene.surfaces[index];
             Object& object = object_of(surface);
             if (object.solid.update(surface, context.frame().scene.time_s, settings_.htsm))
-                render(context, surface, object.solid);
+                render(context, surface, object);
         }
     std::erase_if(objects_, [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; });
 }
@@ -69,14 +71,15 @@ HtsmPass::Object& HtsmPass::object_of(const Surface& surface) {
     return object;
 }
 
-void HtsmPass::render(PassContext& context, const Surface& surface, const Solid& solid) {
+void HtsmPass::render(PassContext& context, const Surface& surface, Object& object) {
+    if (variant_of(surface).voxels) arrive(context, surface, object);
     context.bind_targets();
     const bool mirrored = glm::determinant(glm::mat3(surface.transform)) < 0.0f;
     glEnable(GL_CULL_FACE);
     glFrontFace(mirrored ? GL_CW : GL_CCW);
     // his formula adds to the light that the surface itself returns
-    if (settings_.htsm.form == HtsmForm::physical) begin(context, surface, solid);
-    add_lights(context, surface, solid);
+    if (settings_.htsm.form == HtsmForm::physical) begin(context, surface, object.solid);
+    add_lights(context, surface, object);
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
 }
@@ -95,7 +98,9 @@ void HtsmPass::bind(const gpu::Program& program, PassContext& context, const Sur
 }
 
 HtsmPass::Variant HtsmPass::variant_of(const Surface& surface) const {
-    return {settings_.htsm.form, settings_.htsm.steps, surface.interior->eta > 1.0f};
+    const HtsmSettings& s = settings_.htsm;
+    return {s.form, s.steps, surface.interior->eta > 1.0f,
+            s.form == HtsmForm::physical && s.march == HtsmMarch::voxels};
 }
 
 void HtsmPass::begin(PassContext& context, const Surface& surface, const Solid& solid) {
@@ -111,25 +116,87 @@ void HtsmPass::begin(PassContext& context, const Surface& surface, const Solid& 
     frame.gpu_scene.draw_mesh(*surface.mesh);
 }
 
-void HtsmPass::add_lights(PassContext& context, const Surface& surface, const Solid& solid) {
+std::string HtsmPass::source_of(Frame& frame, size_t light, const Surface& surface, const Solid& solid) const {
+    std::string source;
+    const auto add = [&](const auto& value) { source.append(reinterpret_cast<const char*>(&value), sizeof value); };
+    add(frame.lights.lights()[light]);
+    add(surface.transform);
+    add(surface.interior->eta);
+    add(solid.version());
+    add(settings_.htsm.steps);
+    const auto& gobo = frame.scene.lights[light].gobo;
+    add(gobo ? gobo->id : 0);
+    const std::vector<ShadowView>& views = frame.shadow_maps.plan().views;
+    for (size_t i = 0; i < views.size(); ++i)
+        if (views[i].light == light) add(frame.shadow_maps.version(i));
+    if (!frame.scene.media.empty()) add(frame_);  // what is in the air changes as it likes
+    return source;
+}
+
+void HtsmPass::bind_entries(const gpu::Program& program, PassContext& context) const {
     Frame& frame = context.frame();
+    frame.seams.bind(Seam::light_transmittance, program, context);
+    if (const gpu::Texture* depths = frame.shadow_maps.texture())
+        program.texture("entry_depths", *depths, {.filter = gpu::Filter::linear});
+}
+
+/// Marches from the voxels, for lights whose light there may have changed.
+void HtsmPass::arrive(PassContext& context, const Surface& surface, Object& object) {
+    Frame& frame = context.frame();
+    const Variant variant = variant_of(surface);
+    gpu::ProgramDesc desc = program_of(variant, "arrive");
+    desc.vertex = desc.fragment = "";
+    desc.compute = "translucency/htsm/arrive.comp";
+    LightPrograms& programs = arrive_programs_.try_emplace(variant, std::move(desc)).first->second;
+    programs.begin();
+    object.lights.resize(frame.scene.lights.size());
+    const glm::ivec3 size = object.solid.size(), groups = (size + glm::ivec3(7, 7, 0)) / glm::ivec3(8, 8, 1);
+    const gpu::TextureDesc texture{.shape = gpu::Shape::volume,
+                                   .format = gpu::Format::rgba32f,
+                                   .width = size.x,
+                                   .height = size.y,
+                                   .layers = size.z};
+    for (size_t i = 0; i < object.lights.size(); ++i) {
+        Arriving& arriving = object.lights[i];
+        std::string source = source_of(frame, i, surface, object.solid);
+        if (source == arriving.made_from) continue;
+        arriving.made_from = std::move(source);
+        for (gpu::Texture* made : {&arriving.light, &arriving.travels})
+            if ((made == &arriving.light || variant.bends) && (made->name() == 0 || made->desc() != texture))
+                *made = gpu::Texture(texture, "translucency.arriving");
+        const gpu::Program& program = programs.use(frame, i, [&](const gpu::Program& fresh) {
+            object.solid.bind(fresh);
+            bind_entries(fresh, context);
+        });
+        program.set("light_index", unsigned(i));
+        program.image("arriving", arriving.light, 0, true);
+        if (variant.bends) program.image("travels", arriving.travels, 0, true);
+        glDispatchCompute(GLuint(groups.x), GLuint(groups.y), GLuint(groups.z));
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    }
+}
+
+void HtsmPass::add_lights(PassContext& context, const Surface& surface, const Object& object) {
+    Frame& frame = context.frame();
+    const Solid& solid = object.solid;
     const DrawState state(DepthState::off, BlendState::add);
     const Variant variant = variant_of(surface);
     const char* name = variant.form == HtsmForm::physical ? "physical" : "shopf";
     LightPrograms& programs = programs_.try_emplace(variant, program_of(variant, name)).first->second;
     programs.begin();
-    const gpu::Texture* depths = frame.shadow_maps.texture();
     for (size_t i = 0; i < frame.scene.lights.size(); ++i) {
         const gpu::Program& program = programs.use(frame, i, [&](const gpu::Program& fresh) {
-            frame.seams.bind(Seam::light_transmittance, fresh, context);
             bind(fresh, context, surface, solid);
-            if (depths) fresh.texture("entry_depths", *depths, {.filter = gpu::Filter::linear});
+            bind_entries(fresh, context);
             fresh.set("rays", whole_pattern(settings_.htsm.rays));
             if (fresh.has("ring_m"))
-                fresh.set("ring_m",
-                          std::min(kRing * solid.block().transport.w, kMostRing * solid.radius_m()));
+                fresh.set("ring_m", std::min(kRing * solid.block().transport.w, kMostRing * solid.radius_m()));
         });
         program.set("light_index", unsigned(i));
+        if (variant.voxels) {
+            program.texture("arriving", object.lights[i].light, {.filter = gpu::Filter::linear});
+            if (variant.bends) program.texture("travels", object.lights[i].travels, {.filter = gpu::Filter::linear});
+        }
         frame.gpu_scene.draw_mesh(*surface.mesh);
     }
 }

@@ -3,7 +3,9 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "htsm/solid.h"
 #include "render/frame_graph.h"
@@ -25,7 +27,8 @@ class HtsmPass final : public Pass {
     struct Variant {
         HtsmForm form;
         int steps;
-        bool bends;  ///< the boundary refracts
+        bool bends;   ///< the boundary refracts
+        bool voxels;  ///< light is looked up in voxels
         auto operator<=>(const Variant&) const = default;
     };
 
@@ -36,23 +39,32 @@ class HtsmPass final : public Pass {
     void execute(PassContext& context) override;
 
  private:
+    /// What arrives at an object's voxels from one light.
+    struct Arriving {
+        gpu::Texture light, travels;
+        std::string made_from;  ///< all that it depends on, byte by byte
+    };
     struct Object {
         Solid solid;
+        std::vector<Arriving> lights;
         uint64_t last_used = 0;
     };
     using ObjectKey = std::pair<uint64_t, uint64_t>;  ///< entity and mesh
 
     [[nodiscard]] Variant variant_of(const Surface& surface) const;
     Object& object_of(const Surface& surface);
-    void render(PassContext& context, const Surface& surface, const Solid& solid);
+    void render(PassContext& context, const Surface& surface, Object& object);
+    void arrive(PassContext& context, const Surface& surface, Object& object);
+    [[nodiscard]] std::string source_of(Frame& frame, size_t light, const Surface& surface, const Solid& solid) const;
+    void bind_entries(const gpu::Program& program, PassContext& context) const;
     void bind(const gpu::Program& program, PassContext& context, const Surface& surface, const Solid& solid);
     void begin(PassContext& context, const Surface& surface, const Solid& solid);
-    void add_lights(PassContext& context, const Surface& surface, const Solid& solid);
+    void add_lights(PassContext& context, const Surface& surface, const Object& object);
 
     std::shared_ptr<TechniquePlan> plan_;
     const TranslucencySettings& settings_;
     std::map<ObjectKey, Object> objects_;
-    std::map<Variant, LightPrograms> programs_;
+    std::map<Variant, LightPrograms> programs_, arrive_programs_;
     SpecularTableTexture table_;
     uint64_t frame_ = 0;
 };

@@ -87,6 +87,7 @@ void Solid::make_grid(const Surface& surface, int resolution) {
 }
 
 void Solid::make_density(const Surface& surface, double time_s) {
+    ++version_;
     density_ = surface.interior->density;
     transform_ = surface.transform;
     time_s_ = time_s;
@@ -120,6 +121,7 @@ void Solid::make_block(const Surface& surface, float transport_distance) {
     if (radius_m_ == 0.0f) return;
     SolidBlock block{};
     block.unit_from_world = glm::inverse(world_from_unit);
+    block.world_from_unit = world_from_unit;
     block.scattering_eta = glm::vec4(interior.sigma_s_per_m, interior.eta);
     block.extinction_guide = glm::vec4(extinction, (extinction.x + extinction.y + extinction.z) / 3.0f);
     block.voxel_cast.x = std::cbrt(voxel.x * voxel.y * voxel.z);

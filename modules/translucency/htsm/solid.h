@@ -13,7 +13,7 @@ namespace tyndall::translucency {
 
 /// The uniform block "Solid" of shaders/htsm/object.glsl: keep both the same.
 struct SolidBlock {
-    glm::mat4 unit_from_world;
+    glm::mat4 unit_from_world, world_from_unit;
     glm::vec4 scattering_eta;    ///< rgb 1/m, w index of refraction
     glm::vec4 extinction_guide;  ///< rgb 1/m, w the channels' mean
     glm::vec4 voxel_cast;        ///< x metres a voxel, y 1: the object is in the shadow maps
@@ -38,6 +38,9 @@ class Solid {
 
     [[nodiscard]] float radius_m() const { return radius_m_; }
     [[nodiscard]] const SolidBlock& block() const { return block_; }
+    [[nodiscard]] const glm::ivec3& size() const { return grid_.size; }
+    /// Another number each time that the grid or what is in it changes.
+    [[nodiscard]] uint64_t version() const { return version_; }
 
  private:
     void make_grid(const Surface& surface, int resolution);
@@ -55,6 +58,7 @@ class Solid {
     glm::vec4 most_phase_{0.0f};
     SolidBlock block_{};
     float radius_m_ = 0.0f;
+    uint64_t version_ = 0;
     gpu::Texture inside_, densities_, phase_table_;
     gpu::Buffer buffer_;
 };

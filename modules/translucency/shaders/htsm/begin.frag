@@ -16,7 +16,7 @@ void main() {
     gathered = vec4(0.0);
 #ifdef ALL_AROUND
     vec3 unit = unit_at(seen.place), direction = unit_direction(seen.inward);
-    float whole = density_along(unit, direction, way_out(unit, direction));
+    float whole = density_along(unit, direction, way_out(unit, direction), STEPS);
     vec3 irradiance = indirect_light(seen.place, seen.normal, seen.normal, 1.0).irradiance;
     vec3 albedo = solid.scattering_eta.rgb / max(solid.extinction_guide.rgb, vec3(1e-6));
     vec3 scattered = albedo * kThick * (vec3(1.0) - exp(-solid.extinction_guide.rgb * (whole / kThick)));

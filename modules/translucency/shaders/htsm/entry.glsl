@@ -61,11 +61,11 @@ float metres_to_first(EntryView view, float t, float distance_m, out bool seen) 
 struct Entry {
     vec3 travel;      // unit direction of travel inside
     vec3 irradiance;  // on a plane across that direction, just inside
-    float amount;     // integral of the density along the way inside
+    float amount;     // integral of the density along the way inside; before the boundary it goes on below 0
 };
 
-/// To the place at t of the ray from `p`, which `view` looks at.
-Entry entry_toward(EntryView view, vec3 p, vec3 direction, float t) {
+/// To the place at t of the ray from `p`, which `view` looks at, in `count` steps.
+Entry entry_toward(EntryView view, vec3 p, vec3 direction, float t, int count) {
     vec3 place = p + t * direction, to_light;
     float distance_m = light_distance(light_index, place, to_light);
     if (light_kind(light_index) != LIGHT_DIRECTIONAL && shadow_view_count(light_index) > 1) {  // a face each
@@ -78,10 +78,11 @@ Entry entry_toward(EntryView view, vec3 p, vec3 direction, float t) {
     float first = metres_to_first(view, t, distance_m, seen);
     float metres = seen ? clamp(first, 0.0, edge) : edge;
     // what the light met first is this solid if some of it is there; beyond the grid it is another thing
-    float here = inside_at(unit + toward * max(metres - 0.5 * voxel, 0.0));
+    float here = inside_at(unit + toward * clamp(first - 0.5 * voxel, -2.0 * voxel, edge));
     float own = !seen ? 1.0 : first > edge + voxel ? 0.0 : clamp(here / kInsideAll, 0.0, 1.0);
     Entry entry;
-    entry.amount = density_along(unit, toward, metres);
+    entry.amount = density_along(unit, toward, metres, count);
+    if (seen && first < 0.0) entry.amount = max(first, -2.0 * voxel) * density_at(unit + toward * max(first - voxel, -3.0 * voxel));
     vec3 ignored;
     entry.irradiance = own * light_irradiance(light_index, place + to_light * metres, ignored);
     entry.travel = -to_light;

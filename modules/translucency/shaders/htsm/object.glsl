@@ -7,6 +7,7 @@
 
 layout(std140) uniform Solid {
     mat4 unit_from_world;   // to [0, 1]^3 over the grid
+    mat4 world_from_unit;
     vec4 scattering_eta;    // rgb 1/m, index of refraction
     vec4 extinction_guide;  // rgb 1/m; w: their mean, by which places are chosen
     vec4 voxel_cast;        // x metres a voxel; y 1: the solid is in the shadow maps
@@ -39,16 +40,17 @@ float way_out(vec3 unit, vec3 direction) {
     return max(min(t.x, min(t.y, t.z)), 0.0);
 }
 
-/// Integral of the density over `metres`.
-float density_along(vec3 unit, vec3 direction, float metres) {
-    vec3 advance = direction * (metres / float(STEPS));
+/// Integral of the density over `metres`, in `count` steps.
+float density_along(vec3 unit, vec3 direction, float metres, int count) {
+    float step_m = metres / float(max(count, 1));
+    vec3 advance = direction * step_m;
     vec3 at = unit + 0.5 * advance;
     float sum = 0.0;
-    for (int i = 0; i < STEPS; ++i) {
+    for (int i = 0; i < count; ++i) {
         sum += density_at(at);
         at += advance;
     }
-    return sum * metres / float(STEPS);
+    return sum * step_m;
 }
 
 /// Outward normal of the surface near by, from where the inside ends.

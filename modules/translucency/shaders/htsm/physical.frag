@@ -2,9 +2,14 @@
 //
 // Along the eye's refracted ray as many places as there are rays are chosen, each standing for the same share of what
 // the density lets through; from each a ray goes on to where the light entered (the shadow map). Both parts march the
-// density. The sum is the integral of single scattering: exp(-optical depth of both parts) sigma_s p E.
+// density; with OF_VOXELS the second has been, from every voxel (arrive.comp). The sum is the integral of single scattering: exp(-optical depth of both parts) sigma_s p E.
 #include "translucency/htsm/seen.glsl"
+#include "render/shaders/lights.glsl"
+#ifdef OF_VOXELS
+#include "translucency/htsm/voxels.glsl"
+#else
 #include "translucency/htsm/entry.glsl"
+#endif
 
 uniform int rays;
 layout(location = 0) out vec4 gathered;
@@ -15,11 +20,17 @@ void main() {
     if (!seen_here(seen)) discard;
     vec3 unit = unit_at(seen.place), direction = unit_direction(seen.inward);
     float length_m = way_out(unit, direction);
-    float whole = density_along(unit, direction, length_m);
+    float whole = density_along(unit, direction, length_m, STEPS);
     if (whole <= 0.0) return;
     float guide = max(solid.extinction_guide.w, 1e-3 / whole);
     float share = 1.0 - exp(-guide * whole);
+#ifdef OF_VOXELS
+    vec3 travel;
+    light_distance(light_index, seen.place, travel);
+    travel = -travel;
+#else
     EntryView view = entry_view(seen.place, seen.inward);
+#endif
     float step_m = length_m / float(STEPS);
     vec3 advance = direction * step_m, at = unit - 0.5 * advance;
     float before = 0.0, next = 0.0;  // integral of the density up to both ends of the step
@@ -34,10 +45,17 @@ void main() {
             ++walked;
         }
         float within = clamp((wanted - before) / max(next - before, 1e-20), 0.0, 1.0);
-        Entry entry = entry_toward(view, seen.place, seen.inward, (float(walked - 1) + within) * step_m);
+        float t = (float(walked - 1) + within) * step_m;
+#ifdef OF_VOXELS
+        Entry entry = entry_of_voxels(unit + t * direction, travel);
+#else
+        Entry entry = entry_toward(view, seen.place, seen.inward, t, STEPS);
+#endif
         vec3 weight = exp(guide * wanted - solid.extinction_guide.rgb * (wanted + entry.amount));
         sum += weight * phase_at(dot(entry.travel, -seen.inward)) * entry.irradiance;
     }
-    sum *= left_at_entry(view, seen.place) * solid.scattering_eta.rgb * (share / (guide * float(rays)));
-    gathered.rgb = sum * seen.leaves * seen.scale;
+#ifndef OF_VOXELS
+    sum *= left_at_entry(view, seen.place);
+#endif
+    gathered.rgb = sum * solid.scattering_eta.rgb * (share / (guide * float(rays)) * seen.leaves) * seen.scale;
 }

@@ -42,7 +42,7 @@ void main() {
         vec3 irradiance = light_irradiance(light_index, entered, to_light);
         irradiance *= cosine * (1.0 - fresnel_dielectric(cosine, solid.scattering_eta.w));
         irradiance *= light_transmittance(light_index, entered + to_light * (2.0 * voxel), vec3(0.0));
-        float amount = density_along(start, unit_direction(ray), way);
+        float amount = density_along(start, unit_direction(ray), way, STEPS);
         float left = max(0.0, (2.0 * farthest - (way + amount)) / farthest);
         sum += min(own / kInsideAll, 1.0) * left * phase_at(dot(ray, -seen.normal)) * irradiance;
     }
