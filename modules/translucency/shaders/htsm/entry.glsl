@@ -84,7 +84,7 @@ Entry entry_toward(EntryView view, vec3 p, vec3 direction, float t, int count) {
     entry.amount = density_along(unit, toward, metres, count);
     if (seen && first < 0.0) entry.amount = max(first, -2.0 * voxel) * density_at(unit + toward * max(first - voxel, -3.0 * voxel));
     vec3 ignored;
-    entry.irradiance = own * light_irradiance(light_index, place + to_light * metres, ignored);
+    entry.irradiance = own * light_irradiance(light_index, place, ignored);  // it goes on spreading inside
     entry.travel = -to_light;
 #ifdef BENDS
     float eta = solid.scattering_eta.w;
@@ -106,6 +106,8 @@ vec3 left_at_entry(EntryView view, vec3 p) {
     float distance_m = light_distance(light_index, p, to_light);
     bool seen;
     float metres = metres_to_first(view, 0.0, distance_m, seen);
-    if (!seen) metres = way_out(unit_at(p), unit_direction(to_light));
-    return light_transmittance(light_index, p + to_light * (max(metres, 0.0) + 2.0 * solid.voxel_cast.x), vec3(0.0));
+    // the solid's own shadow has been counted: outside of its grid there is only that of other things
+    float edge = way_out(unit_at(p), unit_direction(to_light)) + solid.voxel_cast.x;
+    if (!seen || metres < edge) metres = edge;
+    return light_transmittance(light_index, p + to_light * (metres + 2.0 * solid.voxel_cast.x), vec3(0.0));
 }

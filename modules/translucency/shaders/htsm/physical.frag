@@ -24,18 +24,13 @@ void main() {
     if (whole <= 0.0) return;
     float guide = max(solid.extinction_guide.w, 1e-3 / whole);
     float share = 1.0 - exp(-guide * whole);
-#ifdef OF_VOXELS
-    vec3 travel;
-    light_distance(light_index, seen.place, travel);
-    travel = -travel;
-#else
+#ifndef OF_VOXELS
     EntryView view = entry_view(seen.place, seen.inward);
 #endif
     float step_m = length_m / float(STEPS);
     vec3 advance = direction * step_m, at = unit - 0.5 * advance;
     float before = 0.0, next = 0.0;  // integral of the density up to both ends of the step
     int walked = 0;
-    vec3 sum = vec3(0.0);
     for (int i = 0; i < rays; ++i) {
         float wanted = -log(1.0 - share * (float(i) + 0.5) / float(rays)) / guide;
         while (next < wanted && walked < STEPS) {
@@ -47,7 +42,7 @@ void main() {
         float within = clamp((wanted - before) / max(next - before, 1e-20), 0.0, 1.0);
         float t = (float(walked - 1) + within) * step_m;
 #ifdef OF_VOXELS
-        Entry entry = entry_of_voxels(unit + t * direction, travel);
+        Entry entry = entry_of_voxels(seen.place + t * seen.inward, unit + t * direction);
 #else
         Entry entry = entry_toward(view, seen.place, seen.inward, t, STEPS);
 #endif

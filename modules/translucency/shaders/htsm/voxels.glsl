@@ -15,8 +15,12 @@ struct Entry {
     float amount;     // integral of the density along the way inside
 };
 
-Entry entry_of_voxels(vec3 unit, vec3 travel) {
+/// To a place, which is `unit` in the grid.
+Entry entry_of_voxels(vec3 place, vec3 unit) {
     vec4 light = textureLod(arriving, unit, 0.0);
+    vec3 to_light;
+    light_distance(light_index, place, to_light);
+    vec3 travel = -to_light;
 #ifdef BENDS
     travel = normalize(textureLod(travels, unit, 0.0).xyz + 1e-6 * travel);
 #endif
