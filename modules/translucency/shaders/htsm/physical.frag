@@ -31,6 +31,7 @@ void main() {
     vec3 advance = direction * step_m, at = unit - 0.5 * advance;
     float before = 0.0, next = 0.0;  // integral of the density up to both ends of the step
     int walked = 0;
+    vec3 sum = vec3(0.0);
     for (int i = 0; i < rays; ++i) {
         float wanted = -log(1.0 - share * (float(i) + 0.5) / float(rays)) / guide;
         while (next < wanted && walked < STEPS) {
