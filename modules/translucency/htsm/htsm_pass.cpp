@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
+#include "core/log.h"
 #include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/gpu_scene.h"
@@ -176,9 +178,20 @@ void HtsmPass::arrive(PassContext& context, const Surface& surface, Object& obje
     }
 }
 
-void HtsmPass::add_lights(PassContext& context, const Surface& surface, const Object& object) {
+void HtsmPass::say_unshadowed(Frame& frame, const Surface& surface, Object& object) {
+    const auto without = [](const GpuLight& light) { return light.shadow.x == 0.0f; };
+    const std::span lights(frame.lights.lights().data(), frame.scene.lights.size());
+    if (object.unshadowed || std::ranges::none_of(lights, without)) return;
+    object.unshadowed = true;
+    log::info("translucency: {}: a light has no shadow map: where its light enters is told by the grid, and nothing "
+              "stands in its way",
+              surface.material->name);
+}
+
+void HtsmPass::add_lights(PassContext& context, const Surface& surface, Object& object) {
     Frame& frame = context.frame();
     const Solid& solid = object.solid;
+    say_unshadowed(frame, surface, object);
     const DrawState state(DepthState::off, BlendState::add);
     const Variant variant = variant_of(surface);
     const char* name = variant.form == HtsmForm::physical ? "physical" : "shopf";

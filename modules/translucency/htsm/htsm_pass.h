@@ -48,6 +48,7 @@ class HtsmPass final : public Pass {
         Solid solid;
         std::vector<Arriving> lights;
         uint64_t last_used = 0;
+        bool unshadowed = false;  ///< by some light, and that has been said
     };
     using ObjectKey = std::pair<uint64_t, uint64_t>;  ///< entity and mesh
 
@@ -59,7 +60,8 @@ class HtsmPass final : public Pass {
     void bind_entries(const gpu::Program& program, PassContext& context) const;
     void bind(const gpu::Program& program, PassContext& context, const Surface& surface, const Solid& solid);
     void begin(PassContext& context, const Surface& surface, const Solid& solid);
-    void add_lights(PassContext& context, const Surface& surface, const Object& object);
+    void add_lights(PassContext& context, const Surface& surface, Object& object);
+    static void say_unshadowed(Frame& frame, const Surface& surface, Object& object);
 
     std::shared_ptr<TechniquePlan> plan_;
     const TranslucencySettings& settings_;

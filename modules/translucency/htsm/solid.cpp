@@ -118,7 +118,12 @@ void Solid::make_block(const Surface& surface, float transport_distance) {
     const glm::vec3 extinction = interior.sigma_s_per_m + interior.sigma_a_per_m;
     // flattened to nothing by its transform, there is no inside
     radius_m_ = std::abs(glm::determinant(glm::mat3(world_from_unit))) > 0.0f ? 0.5f * glm::length(sides) : 0.0f;
-    if (radius_m_ == 0.0f) return;
+    if (radius_m_ == 0.0f) {
+        if (!flat_) log::warning("translucency: {}: it is scaled to nothing: it is drawn plainly", surface.material->name);
+        flat_ = true;
+        return;
+    }
+    flat_ = false;
     SolidBlock block{};
     block.unit_from_world = glm::inverse(world_from_unit);
     block.world_from_unit = world_from_unit;

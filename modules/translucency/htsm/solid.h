@@ -58,6 +58,7 @@ class Solid {
     glm::vec4 most_phase_{0.0f};
     SolidBlock block_{};
     float radius_m_ = 0.0f;
+    bool flat_ = false;  ///< and that has been said
     uint64_t version_ = 0;
     gpu::Texture inside_, densities_, phase_table_;
     gpu::Buffer buffer_;
