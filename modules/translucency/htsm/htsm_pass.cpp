@@ -18,15 +18,12 @@ namespace tyndall::translucency {
 namespace {
 
 constexpr uint64_t kKeptFrames = 120;
-const std::vector<std::string> kAllAround{"ALL_AROUND"}, kNothing;
 /// The first ring of Shopf's pattern over the transport distance, and over the object's radius at most: the third ring,
 /// four times as wide, still meets the object.
 constexpr float kRing = 0.25f, kMostRing = 0.12f;
 
-gpu::ProgramDesc program_of(const HtsmPass::Variant& variant, const std::string& name,
-                            const std::vector<std::string>& more = {}) {
-    std::vector<std::string> defines = more;
-    defines.push_back(fmt::format("STEPS {}", variant.steps));
+gpu::ProgramDesc program_of(const HtsmPass::Variant& variant, const std::string& name) {
+    std::vector<std::string> defines{fmt::format("STEPS {}", variant.steps)};
     if (variant.bends) defines.emplace_back("BENDS");
     if (variant.voxels) defines.emplace_back("OF_VOXELS");
     return {.name = "translucency.htsm." + name,
@@ -79,9 +76,10 @@ void HtsmPass::render(PassContext& context, const Surface& surface, Object& obje
     const bool mirrored = glm::determinant(glm::mat3(surface.transform)) < 0.0f;
     glEnable(GL_CULL_FACE);
     glFrontFace(mirrored ? GL_CW : GL_CCW);
-    // his formula adds to the light that the surface itself returns
-    if (settings_.htsm.form == HtsmForm::physical) begin(context, surface, object.solid);
-    add_lights(context, surface, object);
+    const RenderScene& scene = context.frame().scene;
+    const bool begins = settings_.htsm.form == HtsmForm::physical && (scene.lights.empty() || has_light_all_around(scene));
+    if (begins) begin(context, surface, object.solid);
+    add_lights(context, surface, object, begins);
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
 }
@@ -107,12 +105,10 @@ HtsmPass::Variant HtsmPass::variant_of(const Surface& surface) const {
 
 void HtsmPass::begin(PassContext& context, const Surface& surface, const Solid& solid) {
     Frame& frame = context.frame();
-    const bool all_around = has_light_all_around(frame.scene);
-    const gpu::Program& program =
-        frame.shaders.program(program_of(variant_of(surface), "begin", all_around ? kAllAround : kNothing));
+    const gpu::Program& program = frame.shaders.program(program_of(variant_of(surface), "begin"));
     program.use();
     bind_frame(program, frame);
-    if (all_around) frame.seams.bind(Seam::indirect_light, program, context);
+    frame.seams.bind(Seam::indirect_light, program, context);
     bind(program, context, surface, solid);
     const DrawState state(DepthState::off, BlendState::attenuate_add);
     frame.gpu_scene.draw_mesh(*surface.mesh);
@@ -188,11 +184,11 @@ void HtsmPass::say_unshadowed(Frame& frame, const Surface& surface, Object& obje
               surface.material->name);
 }
 
-void HtsmPass::add_lights(PassContext& context, const Surface& surface, Object& object) {
+void HtsmPass::add_lights(PassContext& context, const Surface& surface, Object& object, bool begun) {
     Frame& frame = context.frame();
     const Solid& solid = object.solid;
     say_unshadowed(frame, surface, object);
-    const DrawState state(DepthState::off, BlendState::add);
+    const DrawState state(DepthState::off, BlendState::attenuate_add);
     const Variant variant = variant_of(surface);
     const char* name = variant.form == HtsmForm::physical ? "physical" : "shopf";
     LightPrograms& programs = programs_.try_emplace(variant, program_of(variant, name)).first->second;
@@ -206,6 +202,7 @@ void HtsmPass::add_lights(PassContext& context, const Surface& surface, Object& 
                 fresh.set("ring_m", std::min(kRing * solid.block().transport.w, kMostRing * solid.radius_m()));
         });
         program.set("light_index", unsigned(i));
+        if (program.has("keeps")) program.set("keeps", begun || i > 0 ? 1.0f : 0.0f);
         if (variant.voxels) {
             program.texture("arriving", object.lights[i].light, {.filter = gpu::Filter::linear});
             if (variant.bends) program.texture("travels", object.lights[i].travels, {.filter = gpu::Filter::linear});

@@ -60,7 +60,8 @@ class HtsmPass final : public Pass {
     void bind_entries(const gpu::Program& program, PassContext& context) const;
     void bind(const gpu::Program& program, PassContext& context, const Surface& surface, const Solid& solid);
     void begin(PassContext& context, const Surface& surface, const Solid& solid);
-    void add_lights(PassContext& context, const Surface& surface, Object& object);
+    /// `begun`: the pixels hold what they had no more.
+    void add_lights(PassContext& context, const Surface& surface, Object& object, bool begun);
     static void say_unshadowed(Frame& frame, const Surface& surface, Object& object);
 
     std::shared_ptr<TechniquePlan> plan_;

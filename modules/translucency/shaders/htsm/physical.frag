@@ -12,11 +12,14 @@
 #endif
 
 uniform int rays;
-layout(location = 0) out vec4 gathered;
+uniform float keeps;  // 0: the first light takes the place of what the pixel had
+layout(location = 0, index = 0) out vec4 gathered;
+layout(location = 0, index = 1) out vec4 kept;
 
 void main() {
     Seen seen;
     gathered = vec4(0.0);
+    kept = vec4(vec3(keeps), 1.0);
     if (!seen_here(seen)) discard;
     vec3 unit = unit_at(seen.place), direction = unit_direction(seen.inward);
     float length_m = way_out(unit, direction);
@@ -31,7 +34,13 @@ void main() {
     vec3 advance = direction * step_m, at = unit - 0.5 * advance;
     float before = 0.0, next = 0.0;  // integral of the density up to both ends of the step
     int walked = 0;
-    vec3 sum = vec3(0.0);
+    vec3 sum = vec3(0.0), phase;
+#if defined(OF_VOXELS) && !defined(BENDS)
+    const bool one_phase = light_kind(light_index) == LIGHT_DIRECTIONAL;  // known here, as light_kind is
+    phase = phase_at(dot(light_data(light_index).direction_kind.xyz, -seen.inward));
+#else
+    const bool one_phase = false;
+#endif
     for (int i = 0; i < rays; ++i) {
         float wanted = -log(1.0 - share * (float(i) + 0.5) / float(rays)) / guide;
         while (next < wanted && walked < STEPS) {
@@ -48,7 +57,8 @@ void main() {
         Entry entry = entry_toward(view, seen.place, seen.inward, t, STEPS);
 #endif
         vec3 weight = exp(guide * wanted - solid.extinction_guide.rgb * (wanted + entry.amount));
-        sum += weight * phase_at(dot(entry.travel, -seen.inward)) * entry.irradiance;
+        if (!one_phase) phase = phase_at(dot(entry.travel, -seen.inward));
+        sum += weight * phase * entry.irradiance;
     }
 #ifndef OF_VOXELS
     sum *= left_at_entry(view, seen.place);

@@ -8,7 +8,8 @@
 
 uniform int rays;
 uniform float ring_m;  // radius of the pattern's first ring
-layout(location = 0) out vec4 gathered;
+layout(location = 0, index = 0) out vec4 gathered;
+layout(location = 0, index = 1) out vec4 kept;
 
 /// In rings of four, each twice as wide as the one before and turned by half a step.
 vec2 pattern(int i) {
@@ -21,6 +22,7 @@ vec2 pattern(int i) {
 void main() {
     Seen seen;
     gathered = vec4(0.0);
+    kept = vec4(1.0);  // his formula adds to what the surface itself returns
     if (!seen_here(seen)) discard;
     vec3 right = light_data(light_index).right_cos_outer.xyz, up = light_data(light_index).up_cos_inner.xyz;
     float voxel = solid.voxel_cast.x, farthest = solid.transport.w;
