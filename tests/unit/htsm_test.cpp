@@ -7,6 +7,7 @@
 
 #include "htsm/htsm_pass.h"
 #include "htsm/object_grid.h"
+#include "htsm/pixels.h"
 #include "htsm/solid.h"
 #include "scene/primitives.h"
 
@@ -144,6 +145,20 @@ TEST(PhaseRow, IntegratesToOne) {
     }
     const auto table = std::make_shared<PhaseTable>(PhaseTable{.values = {glm::vec3(3.0f), glm::vec3(1.0f)}});
     EXPECT_NEAR(phase_row({PhaseKind::tabulated, glm::vec4(0.0f), table}, 5)[1].y, 2.5f, 1e-6f);
+}
+
+TEST(Pixels, HoldABox) {
+    // looks along -z from the origin, 90 degrees
+    glm::mat4 clip(0.0f);
+    clip[0][0] = clip[1][1] = 1.0f;
+    clip[2][3] = -1.0f;
+    clip[3][2] = 0.1f;
+    const PixelRectangle found = pixels_of({{-1.0f, 0.0f, -4.0f}, {1.0f, 1.0f, -2.0f}}, clip, {100, 40});
+    EXPECT_EQ(found.low, glm::ivec2(25, 20));
+    EXPECT_EQ(found.size, glm::ivec2(50, 10));
+    const PixelRectangle around = pixels_of({glm::vec3(-1.0f), glm::vec3(1.0f)}, clip, {100, 40});
+    EXPECT_EQ(around.size, glm::ivec2(100, 40));
+    EXPECT_TRUE(pixels_of({{5.0f, 0.0f, -3.0f}, {6.0f, 1.0f, -2.0f}}, clip, {100, 40}).empty());
 }
 
 TEST(Pattern, IsOneOfFour) {

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/log.h"
+#include "htsm/pixels.h"
 #include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/gpu_scene.h"
@@ -18,6 +19,7 @@ namespace tyndall::translucency {
 namespace {
 
 constexpr uint64_t kKeptFrames = 120;
+constexpr const char* kSolids = "translucent_solids";
 /// The first ring of Shopf's pattern over the transport distance, and over the object's radius at most: the third ring,
 /// four times as wide, still meets the object.
 constexpr float kRing = 0.25f, kMostRing = 0.12f;
@@ -27,7 +29,6 @@ gpu::ProgramDesc program_of(const HtsmPass::Variant& variant, const std::string&
     if (variant.bends) defines.emplace_back("BENDS");
     if (variant.voxels) defines.emplace_back("OF_VOXELS");
     return {.name = "translucency.htsm." + name,
-            .vertex = "translucency/htsm/surface.vert",
             .fragment = "translucency/htsm/" + name + ".frag",
             .defines = std::move(defines)};
 }
@@ -47,6 +48,7 @@ void HtsmPass::declare(PassDeclaration& declaration) {
         .reads("scene_depth", "where the surfaces are seen")
         .reads("gbuffer_normal", "toward the eye")
         .reads("shadow_maps", "where light enters solids", true)
+        .writes(kSolids, {.format = gpu::Format::r32f, .clear = glm::vec4(0.0f)}, "which solid is seen, by number")
         .updates("light_diffuse", "light that leaves translucent surfaces in place of what arrives there")
         .after("translucency.points");
 }
@@ -58,7 +60,7 @@ void HtsmPass::execute(PassContext& context) {
             const Surface& surface = context.frame().scene.surfaces[index];
             Object& object = object_of(surface);
             if (object.solid.update(surface, context.frame().scene.time_s, settings_.htsm))
-                render(context, surface, object);
+                render(context, surface, float(index + 1), object);
         }
     std::erase_if(objects_, [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; });
 }
@@ -70,31 +72,55 @@ HtsmPass::Object& HtsmPass::object_of(const Surface& surface) {
     return object;
 }
 
-void HtsmPass::render(PassContext& context, const Surface& surface, Object& object) {
+void HtsmPass::render(PassContext& context, const Surface& surface, float number, Object& object) {
+    const PixelRectangle pixels = pixels_of(surface.bounds, context.frame().block.view_projection, context.size());
+    if (pixels.empty()) return;
     if (variant_of(surface).voxels) arrive(context, surface, object);
-    context.bind_targets();
+    number_pixels(context, surface, number);
+    const std::string_view targets[] = {"light_diffuse"};
+    context.bind_targets(targets, -1);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(pixels.low.x, pixels.low.y, pixels.size.x, pixels.size.y);
+    const RenderScene& scene = context.frame().scene;
+    const bool begins =
+        settings_.htsm.form == HtsmForm::physical && (scene.lights.empty() || has_light_all_around(scene));
+    if (begins) begin(context, surface, number, object.solid);
+    add_lights(context, surface, number, object, begins);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void HtsmPass::number_pixels(PassContext& context, const Surface& surface, float number) {
+    static const gpu::ProgramDesc kDesc{.name = "translucency.htsm.solids",
+                                        .vertex = "translucency/htsm/surface.vert",
+                                        .fragment = "translucency/htsm/solids.frag"};
+    const std::string_view targets[] = {kSolids};
+    context.bind_targets(targets, -1);
+    Frame& frame = context.frame();
+    const gpu::Program& program = frame.shaders.program(kDesc);
+    program.use();
+    bind_frame(program, frame);
+    program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
+    program.set("world_from_local", surface.transform);
+    program.set("clip_from_world", frame.block.view_projection);
+    program.set("number", number);
     const bool mirrored = glm::determinant(glm::mat3(surface.transform)) < 0.0f;
     glEnable(GL_CULL_FACE);
     glFrontFace(mirrored ? GL_CW : GL_CCW);
-    const RenderScene& scene = context.frame().scene;
-    const bool begins = settings_.htsm.form == HtsmForm::physical && (scene.lights.empty() || has_light_all_around(scene));
-    if (begins) begin(context, surface, object.solid);
-    add_lights(context, surface, object, begins);
+    frame.gpu_scene.draw_mesh(*surface.mesh);
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
 }
 
-void HtsmPass::bind(const gpu::Program& program, PassContext& context, const Surface& surface,
+void HtsmPass::bind(const gpu::Program& program, PassContext& context, const Surface& surface, float number,
                     const Solid& solid) {
     solid.bind(program);
     table_.bind(program);
-    for (const char* target : {"scene_depth", "gbuffer_normal"})
+    for (const char* target : {"scene_depth", "gbuffer_normal", kSolids})
         program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
     const Material& boundary = *surface.material;
     program.set("boundary_base", glm::vec4(glm::vec3(boundary.base_colour), boundary.ior));
     program.set("boundary_mirror", glm::vec4(boundary.specular_colour, boundary.specular));
-    program.set("world_from_local", surface.transform);
-    program.set("clip_from_world", context.frame().block.view_projection);
+    program.set("number", number);
 }
 
 HtsmPass::Variant HtsmPass::variant_of(const Surface& surface) const {
@@ -103,15 +129,15 @@ HtsmPass::Variant HtsmPass::variant_of(const Surface& surface) const {
             s.form == HtsmForm::physical && s.march == HtsmMarch::voxels};
 }
 
-void HtsmPass::begin(PassContext& context, const Surface& surface, const Solid& solid) {
+void HtsmPass::begin(PassContext& context, const Surface& surface, float number, const Solid& solid) {
     Frame& frame = context.frame();
     const gpu::Program& program = frame.shaders.program(program_of(variant_of(surface), "begin"));
     program.use();
     bind_frame(program, frame);
     frame.seams.bind(Seam::indirect_light, program, context);
-    bind(program, context, surface, solid);
+    bind(program, context, surface, number, solid);
     const DrawState state(DepthState::off, BlendState::attenuate_add);
-    frame.gpu_scene.draw_mesh(*surface.mesh);
+    gpu::draw_fullscreen();
 }
 
 std::string HtsmPass::source_of(Frame& frame, size_t light, const Surface& surface, const Solid& solid) const {
@@ -184,7 +210,7 @@ void HtsmPass::say_unshadowed(Frame& frame, const Surface& surface, Object& obje
               surface.material->name);
 }
 
-void HtsmPass::add_lights(PassContext& context, const Surface& surface, Object& object, bool begun) {
+void HtsmPass::add_lights(PassContext& context, const Surface& surface, float number, Object& object, bool begun) {
     Frame& frame = context.frame();
     const Solid& solid = object.solid;
     say_unshadowed(frame, surface, object);
@@ -195,7 +221,7 @@ void HtsmPass::add_lights(PassContext& context, const Surface& surface, Object& 
     programs.begin();
     for (size_t i = 0; i < frame.scene.lights.size(); ++i) {
         const gpu::Program& program = programs.use(frame, i, [&](const gpu::Program& fresh) {
-            bind(fresh, context, surface, solid);
+            bind(fresh, context, surface, number, solid);
             bind_entries(fresh, context);
             fresh.set("rays", whole_pattern(settings_.htsm.rays));
             if (fresh.has("ring_m"))
@@ -207,7 +233,7 @@ void HtsmPass::add_lights(PassContext& context, const Surface& surface, Object& 
             program.texture("arriving", object.lights[i].light, {.filter = gpu::Filter::linear});
             if (variant.bends) program.texture("travels", object.lights[i].travels, {.filter = gpu::Filter::linear});
         }
-        frame.gpu_scene.draw_mesh(*surface.mesh);
+        gpu::draw_fullscreen();
     }
 }
 

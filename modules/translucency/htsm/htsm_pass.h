@@ -54,14 +54,16 @@ class HtsmPass final : public Pass {
 
     [[nodiscard]] Variant variant_of(const Surface& surface) const;
     Object& object_of(const Surface& surface);
-    void render(PassContext& context, const Surface& surface, Object& object);
+    void render(PassContext& context, const Surface& surface, float number, Object& object);
+    static void number_pixels(PassContext& context, const Surface& surface, float number);
     void arrive(PassContext& context, const Surface& surface, Object& object);
     [[nodiscard]] std::string source_of(Frame& frame, size_t light, const Surface& surface, const Solid& solid) const;
     void bind_entries(const gpu::Program& program, PassContext& context) const;
-    void bind(const gpu::Program& program, PassContext& context, const Surface& surface, const Solid& solid);
-    void begin(PassContext& context, const Surface& surface, const Solid& solid);
+    void bind(const gpu::Program& program, PassContext& context, const Surface& surface, float number,
+              const Solid& solid);
+    void begin(PassContext& context, const Surface& surface, float number, const Solid& solid);
     /// `begun`: the pixels hold what they had no more.
-    void add_lights(PassContext& context, const Surface& surface, Object& object, bool begun);
+    void add_lights(PassContext& context, const Surface& surface, float number, Object& object, bool begun);
     static void say_unshadowed(Frame& frame, const Surface& surface, Object& object);
 
     std::shared_ptr<TechniquePlan> plan_;

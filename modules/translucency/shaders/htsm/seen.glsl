@@ -1,4 +1,4 @@
-// The pixels where the drawn solid is seen.
+// The pixels where the solid is seen (solids.frag).
 #include "render/shaders/frame.glsl"
 #include "render/shaders/gbuffer.glsl"
 #include "render/shaders/specular_table.glsl"
@@ -6,6 +6,8 @@
 
 uniform sampler2D scene_depth;
 uniform sampler2D gbuffer_normal;
+uniform sampler2D translucent_solids;
+uniform float number;
 uniform vec4 boundary_base;    // rgb, index of refraction
 uniform vec4 boundary_mirror;  // rgb specular colour, weight
 
@@ -18,11 +20,11 @@ struct Seen {
     vec3 scale;    // irradiance that makes the compose pass give this radiance
 };
 
-/// False where another surface is in front.
+/// False where it is not.
 bool seen_here(out Seen seen) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
+    if (texelFetch(translucent_solids, pixel, 0).x != number) return false;
     float depth = texelFetch(scene_depth, pixel, 0).x;
-    if (depth <= 0.0 || abs(view_depth(depth) * gl_FragCoord.w - 1.0) > 5e-4) return false;
     LitPoint point = decode_lit_point(texelFetch(gbuffer_normal, pixel, 0));
     vec2 uv = gl_FragCoord.xy / frame.size_time.xy;
     vec3 ray = eye_ray(uv);
