@@ -52,10 +52,11 @@ inline void describe(StructBuilder<HtsmSettings>& d) {
             "physical: single scattering, by the optical depth of both parts of the way; shopf: the formula of the "
             "paper, by lengths.",
             {"physical", "shopf"});
-    d.field("march", &HtsmSettings::march,
-            "physical only: where rays toward the light begin: at every voxel, kept while nothing changes and shared by "
-            "all pixels; or anew for each pixel, which is slower and sharper.",
-            {"voxels", "pixels"});
+    d.field(
+        "march", &HtsmSettings::march,
+        "physical only: where rays toward the light begin: at every voxel, kept while nothing changes and shared by "
+        "all pixels; or anew for each pixel, which is slower and sharper.",
+        {"voxels", "pixels"});
     d.field("transport_distance_m", &HtsmSettings::transport_distance_m,
             "shopf only: half the way after which no light is left; 0 takes it from the coefficients.")
         .unit("m")

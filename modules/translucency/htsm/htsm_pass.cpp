@@ -40,8 +40,7 @@ bool has_light_all_around(const RenderScene& scene) {
 }  // namespace
 
 HtsmPass::HtsmPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings& settings)
-    : plan_(std::move(plan)),
-      settings_(settings) {}
+    : plan_(std::move(plan)), settings_(settings) {}
 
 void HtsmPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::diffusion)
@@ -205,9 +204,10 @@ void HtsmPass::say_unshadowed(Frame& frame, const Surface& surface, Object& obje
     const std::span lights(frame.lights.lights().data(), frame.scene.lights.size());
     if (object.unshadowed || std::ranges::none_of(lights, without)) return;
     object.unshadowed = true;
-    log::info("translucency: {}: a light has no shadow map: where its light enters is told by the grid, and nothing "
-              "stands in its way",
-              surface.material->name);
+    log::info(
+        "translucency: {}: a light has no shadow map: where its light enters is told by the grid, and nothing "
+        "stands in its way",
+        surface.material->name);
 }
 
 void HtsmPass::add_lights(PassContext& context, const Surface& surface, float number, Object& object, bool begun) {

@@ -11,14 +11,14 @@
 
 namespace tyndall::translucency {
 
-/// Where so much of a voxel is inside, its density counts whole: the mesh and the shadow map say the borders to more than
-/// a voxel, and the grid must not thin what lies at them. As in shaders/htsm/object.glsl.
+/// Where so much of a voxel is inside, its density counts whole: the mesh and the shadow map say the borders to more
+/// than a voxel, and the grid must not thin what lies at them. As in shaders/htsm/object.glsl.
 constexpr float kInsideAll = 0.5f;
 
 /// Values lie at voxel centres, x fastest, then y, then z.
 struct ObjectGrid {
-    Bounds box;           ///< of the mesh's space: its bounds and a voxel around them
-    glm::ivec3 size{0};   ///< voxels; 0 = the mesh encloses nothing
+    Bounds box;                  ///< of the mesh's space: its bounds and a voxel around them
+    glm::ivec3 size{0};          ///< voxels; 0 = the mesh encloses nothing
     std::vector<float> inside;   ///< share of the voxel that is inside, 0..1
     std::vector<float> density;  ///< of the field at the voxel's centre, also outside of the mesh
     float open_share = 0.0f;     ///< of the lines through the mesh, those that entered and did not leave again
@@ -33,9 +33,9 @@ struct ObjectGrid {
 };
 
 /// A grid of `resolution` voxels along the longest side of the mesh's bounds, cubes where they can be, with `inside`
-/// filled: exact along lines in x, four by four of which cross a voxel. What is inside is told by the winding number, so
-/// parts may overlap. On a line that does not leave a mesh again that it entered (a hole), all between its first and its
-/// last crossing counts as inside.
+/// filled: exact along lines in x, four by four of which cross a voxel. What is inside is told by the winding number,
+/// so parts may overlap. On a line that does not leave a mesh again that it entered (a hole), all between its first and
+/// its last crossing counts as inside.
 [[nodiscard]] ObjectGrid make_object_grid(const Mesh& mesh, int resolution);
 
 /// Fills `density`.

@@ -15,11 +15,8 @@ constexpr int kPhaseColumns = 1024;  ///< as in shaders/htsm/object.glsl
 constexpr float kOpen = 0.01f;
 
 void upload(const glm::ivec3& size, const std::vector<float>& values, gpu::Texture& texture, std::string_view label) {
-    const gpu::TextureDesc desc{.shape = gpu::Shape::volume,
-                                .format = gpu::Format::r32f,
-                                .width = size.x,
-                                .height = size.y,
-                                .layers = size.z};
+    const gpu::TextureDesc desc{
+        .shape = gpu::Shape::volume, .format = gpu::Format::r32f, .width = size.x, .height = size.y, .layers = size.z};
     if (texture.name() == 0 || texture.desc() != desc) texture = gpu::Texture(desc, label);
     const size_t slice = size_t(size.x) * size_t(size.y);
     for (int z = 0; z < size.z; ++z) texture.upload(0, z, &values[size_t(z) * slice]);
@@ -119,7 +116,8 @@ void Solid::make_block(const Surface& surface, float transport_distance) {
     // flattened to nothing by its transform, there is no inside
     radius_m_ = std::abs(glm::determinant(glm::mat3(world_from_unit))) > 0.0f ? 0.5f * glm::length(sides) : 0.0f;
     if (radius_m_ == 0.0f) {
-        if (!flat_) log::warning("translucency: {}: it is scaled to nothing: it is drawn plainly", surface.material->name);
+        if (!flat_)
+            log::warning("translucency: {}: it is scaled to nothing: it is drawn plainly", surface.material->name);
         flat_ = true;
         return;
     }
