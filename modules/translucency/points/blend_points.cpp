@@ -23,7 +23,7 @@ constexpr float kNormalWeight = 2.0f;
 /// Points by the cells of a grid, as sorted runs.
 class PointGrid {
  public:
-    PointGrid(const PointCloud& cloud, const Bounds& bounds) : cloud_(cloud), low_(bounds.low) {
+    PointGrid(const PointCloud& cloud, const Bounds& bounds) : low_(bounds.low) {
         cell_ = 2.0f * cloud.spacing;
         const glm::vec3 size = bounds.size();
         while ((size.x / cell_ + 2) * (size.y / cell_ + 2) * (size.z / cell_ + 2) > 4e6f) cell_ *= 1.5f;
@@ -59,7 +59,6 @@ class PointGrid {
         return (size_t(cell.z) * size_t(size_.y) + size_t(cell.y)) * size_t(size_.x) + size_t(cell.x);
     }
 
-    const PointCloud& cloud_;
     glm::vec3 low_;
     float cell_ = 1.0f;
     glm::ivec3 size_{1};
