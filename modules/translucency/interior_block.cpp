@@ -10,8 +10,7 @@ namespace tyndall::translucency {
 namespace {
 
 /// Light begins to spread where it first collides. What leaves again has collided nearer than the mean: of the places
-/// tried, two fifths of the mean free path are nearest to traced
-/// spheres.
+/// tried, two fifths of the mean free path are nearest to traced spheres.
 constexpr float kFirstPath = 0.4f;
 /// Light that leaves so many mean free paths from where it entered has forgotten where that was (by 1 - 1/e).
 constexpr float kDeepPaths = 4.0f;

@@ -42,7 +42,7 @@ class RadialKernel {
     /// Of the widest, 1/m2.
     [[nodiscard]] float rate() const { return rate_; }
     [[nodiscard]] glm::vec3 at(float r) const;
-    /// The mean over the disc itself, that is at most `r` metres off in the middle, before the fit.
+    /// What the Gaussians are fitted to: the mean over the disc whose middle is `r` metres away.
     [[nodiscard]] glm::vec3 exact(float r) const;
     /// Integral of the model over the plane, before scaling.
     [[nodiscard]] const glm::vec3& returned() const { return returned_; }

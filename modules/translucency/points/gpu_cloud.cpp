@@ -61,9 +61,4 @@ GpuObject::GpuObject(const GpuCloud& cloud, bool directional)
     node_fluxes.clear(0, glm::vec4(0.0f));
 }
 
-size_t GpuObject::bytes() const {
-    return bytes_of(node_places) + bytes_of(node_fluxes) + bytes_of(node_directions) + bytes_of(point_scales) +
-           bytes_of(point_light);
-}
-
 }  // namespace tyndall::translucency

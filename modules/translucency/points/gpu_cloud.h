@@ -33,7 +33,6 @@ struct GpuObject {
 
     gpu::Texture node_places, node_fluxes, node_directions, point_scales, point_light;  ///< shaders/points
     InteriorBuffers interior;
-    [[nodiscard]] size_t bytes() const;
 };
 
 }  // namespace tyndall::translucency

@@ -2,7 +2,6 @@
 #include "translucency/points/gather.glsl"
 #include "translucency/points/store.glsl"
 
-
 void main() {
     Four low = four_of_thread(0u), high = four_of_thread(4u);
     gather(low, high);

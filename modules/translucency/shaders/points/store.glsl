@@ -16,4 +16,3 @@ void store(uint point, vec4 found) {
     imageStore(point_light, node_texel(2u * point), vec4(others, deep));
     imageStore(point_light, node_texel(2u * point + 1u), vec4(own * scale * piece.area * share * mean_leaving(), 0.0));
 }
-
