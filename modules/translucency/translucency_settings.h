@@ -13,12 +13,17 @@ enum class Scaling { exact, published };
 /// The technique points.
 struct PointsSettings {
     int32_t levels = 15;
+    float pixels = 4.0f;
     float opening = 0.5f;
 };
 
 inline void describe(StructBuilder<PointsSettings>& d) {
     d.doc("Points on the surface that gather from all others, far ones in groups.");
-    d.field("levels", &PointsSettings::levels, "2 to this power points an object.").range(6, 16);
+    d.field("levels", &PointsSettings::levels, "2 to this power points an object at most.").range(6, 16);
+    d.field("pixels", &PointsSettings::pixels,
+            "No points closer together than so many pixels: far objects have fewer; 0: all have as many as levels "
+            "says.")
+        .range(0.0, 64.0);
     d.field("opening", &PointsSettings::opening,
             "Radius of a group over its distance, up to which it counts as one: less is slower and nearer to the full "
             "sum; 0 is the full sum.")

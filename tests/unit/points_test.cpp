@@ -16,6 +16,7 @@
 #include "app/engine.h"
 #include "core/parallel.h"
 #include "core/paths.h"
+#include "points/detail.h"
 #include "radial_kernel.h"
 #include "renderer_fixture.h"
 #include "scene/primitives.h"
@@ -145,6 +146,30 @@ TEST(PointCloud, VerticesBlendPointsNearBy) {
     }
 }
 
+TEST(PointDetail, FarThingsHaveFewerPoints) {
+    FrameBlock frame{};
+    frame.eye_near = {0.0f, 0.0f, 0.0f, 0.1f};
+    frame.size_time = {640.0f, 360.0f, 0.0f, 0.0f};
+    frame.tan_half_fov_exposure = {0.8f, 0.45f, 1.0f, 0.0f};
+    Surface surface;
+    surface.bounds = {{-1.0f, -1.0f, -11.0f}, {1.0f, 1.0f, -10.0f}};
+    // a pixel covers 0.0025 m at 1 m, so 4 of them 0.1 m at the nearest place, 10 m away
+    EXPECT_NEAR(points_worth(surface, 4.0f, frame, 4.0f), 400.0f, 1.0f);
+    EXPECT_TRUE(std::isinf(points_worth(surface, 4.0f, frame, 0.0f)));
+    EXPECT_EQ(levels_for(points_worth(surface, 4.0f, frame, 0.0f), 0, 15), 15);
+    EXPECT_EQ(levels_for(4000.0f, 0, 15), 12);
+    EXPECT_EQ(levels_for(10.0f, 0, 15), levels_for(1.0f, 0, 15)) << "some are always there";
+    EXPECT_EQ(levels_for(4000.0f, 0, 10), 10);
+}
+
+TEST(PointDetail, AnEyeThatTremblesChangesNothing) {
+    EXPECT_EQ(levels_for(4096.0f * 1.3f, 12, 15), 12);
+    EXPECT_EQ(levels_for(4096.0f * 1.5f, 12, 15), 13);
+    EXPECT_EQ(levels_for(4096.0f * 0.4f, 12, 15), 12);
+    EXPECT_EQ(levels_for(4096.0f * 0.3f, 12, 15), 11);
+    EXPECT_EQ(levels_for(4096.0f, 12, 11), 11) << "the scene now allows fewer";
+}
+
 // The whole: against a double loop over the mesh
 // -----------------------------------------------------------------------------------------------------------------
 
@@ -198,7 +223,7 @@ class PointsTest : public RendererTest {
 
     static std::string scene_text(const std::string& mesh, float scale, float opening) {
         return R"({"tyndall": 1, "modules": ["translucency"], "render": {"image": {"antialiasing": "none"},
-          "translucency": {"model": "better", "scaling": "published", "points": {"opening": )" +
+          "translucency": {"model": "better", "scaling": "published", "points": {"pixels": 0, "opening": )" +
                std::to_string(opening) + R"(}}}, "entities": [
           {"name": "Camera", "transform": {"translation": [0, 0, 0.06], "look_at": [0, 0, 0]},
            "camera": {"vertical_fov_deg": 24, "exposure": 1, "near_m": 0.001}},

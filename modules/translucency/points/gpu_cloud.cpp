@@ -1,5 +1,7 @@
 #include "points/gpu_cloud.h"
 
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tyndall::translucency {
@@ -11,6 +13,14 @@ gpu::TextureDesc table_desc(size_t texels) {
     return {.format = gpu::Format::rgba32f,
             .width = kNodeColumns,
             .height = (int(texels) + kNodeColumns - 1) / kNodeColumns};
+}
+/// A texture of kNodeColumns columns with `values` from its first texel on.
+gpu::Texture table(std::vector<glm::vec4> values, std::string_view name) {
+    const gpu::TextureDesc desc = table_desc(values.size());
+    values.resize(size_t(desc.width) * size_t(desc.height));
+    gpu::Texture made(desc, name);
+    made.upload(0, 0, values.data());
+    return made;
 }
 size_t bytes_of(const gpu::Texture& texture) {
     return gpu::bytes_per_texel(texture.desc().format) * size_t(texture.desc().width) * size_t(texture.desc().height);
@@ -25,6 +35,7 @@ GpuCloud::GpuCloud(const PointCloud& cloud, const glm::vec3& the_shape)
       spacing(cloud.spacing),
       radius(cloud.radius),
       shape(the_shape),
+      vertices(uint32_t(cloud.vertices.size())),
       index_count(int(cloud.indices.size())) {
     if (cloud.points.empty()) return;
     std::vector<glm::vec4> surface;
@@ -32,10 +43,7 @@ GpuCloud::GpuCloud(const PointCloud& cloud, const glm::vec3& the_shape)
         surface.emplace_back(point.position, point.area);
         surface.emplace_back(point.normal, 0.0f);
     }
-    const gpu::TextureDesc two_a_point = table_desc(surface.size());
-    surface.resize(size_t(two_a_point.width) * size_t(two_a_point.height));
-    pieces = gpu::Texture(two_a_point, "translucency.pieces");
-    pieces.upload(0, 0, surface.data());
+    pieces = table(std::move(surface), "translucency.pieces");
     const gpu::TextureDesc desc{.format = gpu::Format::r32f,
                                 .width = kListColumns,
                                 .height = (int(cloud.lists.size()) + kListColumns - 1) / kListColumns};
@@ -44,12 +52,22 @@ GpuCloud::GpuCloud(const PointCloud& cloud, const glm::vec3& the_shape)
     lists = gpu::Texture(desc, "translucency.lists");
     lists.upload(0, 0, numbers.data());
     list_begins = gpu::Buffer(std::span<const uint32_t>(cloud.list_begins), "translucency.list_begins");
-    vertices = gpu::Buffer(std::span<const PointCloud::Vertex>(cloud.vertices), "translucency.vertices");
+    std::vector<glm::vec3> places;
+    std::vector<glm::vec4> points_and_weights;
+    for (const PointCloud::Vertex& vertex : cloud.vertices) {
+        places.push_back(vertex.position);
+        glm::vec4& both = points_and_weights.emplace_back();
+        for (uint32_t k = 0; k < PointCloud::kNeighbours; ++k)  // 24 bits: a float has them exactly
+            both[int(k)] = float(vertex.points[k] * 256u + vertex.weights[k]);
+    }
+    positions = gpu::Buffer(std::span<const glm::vec3>(places), "translucency.positions");
+    blends = table(std::move(points_and_weights), "translucency.blends");
     indices = gpu::Buffer(std::span<const uint32_t>(cloud.indices), "translucency.indices");
 }
 
 size_t GpuCloud::bytes() const {
-    return bytes_of(lists) + bytes_of(pieces) + list_begins.size() + vertices.size() + indices.size();
+    return bytes_of(lists) + bytes_of(pieces) + bytes_of(blends) + list_begins.size() + positions.size() +
+           indices.size();
 }
 
 GpuObject::GpuObject(const GpuCloud& cloud, bool directional)
@@ -57,7 +75,8 @@ GpuObject::GpuObject(const GpuCloud& cloud, bool directional)
       node_fluxes(table_desc(cloud.nodes), "translucency.node_fluxes"),
       node_directions(directional ? table_desc(cloud.nodes) : table_desc(1), "translucency.node_directions"),
       point_scales(table_desc(cloud.points), "translucency.point_scales"),
-      point_light(table_desc(2 * cloud.points), "translucency.point_light") {
+      point_light(table_desc(2 * size_t(cloud.points)), "translucency.point_light"),
+      vertex_light(table_desc(2 * size_t(cloud.vertices)), "translucency.vertex_light") {
     node_fluxes.clear(0, glm::vec4(0.0f));
 }
 

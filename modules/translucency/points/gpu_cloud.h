@@ -19,9 +19,10 @@ struct GpuCloud {
     float spacing = 0.0f;  ///< of the mesh's space, as `radius`
     float radius = 0.0f;
     glm::vec3 shape{1.0f};
+    uint32_t vertices = 0;
     int index_count = 0;
-    gpu::Texture lists, pieces;  ///< shaders/points
-    gpu::Buffer list_begins, vertices, indices;
+    gpu::Texture lists, pieces, blends;  ///< shaders/points
+    gpu::Buffer list_begins, positions, indices;
     [[nodiscard]] size_t bytes() const;
     [[nodiscard]] uint32_t first(int level) const { return 2 * points - (2 * points >> uint32_t(level)); }
 };
@@ -31,7 +32,8 @@ struct GpuObject {
     /// `directional`: has room for the directions of light.
     GpuObject(const GpuCloud& cloud, bool directional);
 
-    gpu::Texture node_places, node_fluxes, node_directions, point_scales, point_light;  ///< shaders/points
+    gpu::Texture node_places, node_fluxes, node_directions, point_scales, point_light,
+        vertex_light;  ///< shaders/points
     InteriorBuffers interior;
 };
 

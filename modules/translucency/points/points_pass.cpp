@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "core/log.h"
+#include "points/detail.h"
 #include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/frustum.h"
@@ -18,7 +17,6 @@
 namespace tyndall::translucency {
 namespace {
 
-constexpr uint64_t kKeptFrames = 120;
 const std::vector<std::string> kBegin{"BEGIN"}, kNone, kDirections{"DIRECTIONS"};
 constexpr int kBalanceRounds = 6;
 constexpr uint32_t kGroup = PointCloud::kCluster;
@@ -39,14 +37,6 @@ void dispatch(uint32_t points) {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-/// How a transform stretches the mesh's axes, over the most, in steps of a fiftieth so that little changes keep the
-/// cloud.
-glm::vec3 shape_of(const glm::mat4& transform) {
-    const glm::vec3 scale(glm::length(transform[0]), glm::length(transform[1]), glm::length(transform[2]));
-    const glm::vec3 steps = glm::round(50.0f * glm::log(scale / std::max({scale.x, scale.y, scale.z})));
-    return glm::exp(steps / 50.0f);
-}
-
 glm::mat4 world_from_cloud(const Surface& surface, const GpuCloud& cloud) {
     return surface.transform * glm::scale(glm::mat4(1.0f), 1.0f / cloud.shape);
 }
@@ -59,18 +49,6 @@ float scale_of(const Surface& surface, const GpuCloud& cloud) {
 /// Of a disc as large as a point's piece, metres.
 float piece_radius(const Surface& surface, const GpuCloud& cloud) {
     return std::max(cloud.spacing * scale_of(surface, cloud), 1e-9f) / std::sqrt(std::numbers::pi_v<float>);
-}
-
-/// The mesh with its axes stretched.
-Mesh stretched(const Mesh& mesh, const glm::vec3& shape) {
-    Mesh made;
-    made.positions = mesh.positions;
-    made.normals = mesh.normals;
-    made.indices = mesh.indices;
-    for (glm::vec3& position : made.positions) position *= shape;
-    for (glm::vec3& normal : made.normals) normal = glm::normalize(normal / shape);
-    made.bounds = bounds_of(made.positions);
-    return made;
 }
 
 /// Cofactors: they turn an area's vector as the matrix turns its sides.
@@ -138,9 +116,13 @@ void PointsPass::execute(PassContext& context) {
 void PointsPass::render(PassContext& context, const Surface& surface) {
     const float volume = std::abs(glm::determinant(glm::mat3(surface.transform)));
     if (!(volume > 0.0f) || !std::isfinite(volume)) return;
-    const GpuCloud& cloud = cloud_of(surface);
+    Object& object = object_of(surface);
+    const PointsSettings& wanted = settings_.points;
+    const float points = points_worth(surface, clouds_.area(surface), context.frame().block, wanted.pixels);
+    object.levels = levels_for(points, object.levels, wanted.levels);
+    const GpuCloud& cloud = clouds_.cloud(surface, object.levels, wanted.opening);
     if (cloud.points == 0) return;
-    Object& object = object_of(surface, cloud);
+    prepare(object, surface, cloud);
     if (!object.balanced) balance(context, surface, cloud, *object.gpu);
     object.balanced = true;
     light(context, surface, cloud, *object.gpu);
@@ -149,35 +131,16 @@ void PointsPass::render(PassContext& context, const Surface& surface) {
     draw(context, surface, cloud, *object.gpu);
 }
 
-const GpuCloud& PointsPass::cloud_of(const Surface& surface) {
-    const glm::vec3 shape = shape_of(surface.transform);
-    Cloud& cloud = clouds_[{surface.mesh->id, shape.x, shape.y, shape.z}];
-    cloud.last_used = frame_;
-    const PointsSettings& wanted = settings_.points;
-    if (!cloud.gpu || cloud.levels != wanted.levels || cloud.opening != wanted.opening) {
-        const auto begun = std::chrono::steady_clock::now();
-        const Mesh& mesh = surface.mesh->mesh;
-        const PointCloud made = shape == glm::vec3(1.0f)
-                                    ? make_point_cloud(mesh, wanted.levels, wanted.opening)
-                                    : make_point_cloud(stretched(mesh, shape), wanted.levels, wanted.opening);
-        cloud.gpu = std::make_unique<GpuCloud>(made, shape);
-        cloud.levels = wanted.levels;
-        cloud.opening = wanted.opening;
-        log::info("translucency: {}: {} points, {} to gather from on average, {:.1f} MB, {:.2f} s", surface.mesh->name,
-                  made.points.size(),
-                  made.points.empty() ? 0 : made.lists.size() * PointCloud::kCluster / made.points.size(),
-                  double(cloud.gpu->bytes()) / 1048576.0,
-                  std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
-    }
-    return *cloud.gpu;
-}
-
-PointsPass::Object& PointsPass::object_of(const Surface& surface, const GpuCloud& cloud) {
+PointsPass::Object& PointsPass::object_of(const Surface& surface) {
     const uint64_t entity = uint64_t(surface.entity.index) << 32u | surface.entity.generation;
     ObjectKey key{entity, surface.mesh->id, 0};
     while (objects_[key].last_used == frame_) ++std::get<2>(key);
     Object& object = objects_[key];
     object.last_used = frame_;
+    return object;
+}
+
+void PointsPass::prepare(Object& object, const Surface& surface, const GpuCloud& cloud) const {
     if (!object.gpu || object.cloud != &cloud || object.directional != directional()) {
         object.gpu = std::make_unique<GpuObject>(cloud, directional());
         object.cloud = &cloud;
@@ -188,13 +151,11 @@ PointsPass::Object& PointsPass::object_of(const Surface& surface, const GpuCloud
     if (object.gpu->interior.update({optics_of(*surface.interior), settings_.model, settings_.scaling, radius,
                                      cloud.radius * scale_of(surface, cloud)}))
         object.balanced = false;
-    return object;
 }
 
 void PointsPass::forget_unused() {
-    const auto old = [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; };
-    std::erase_if(objects_, old);
-    std::erase_if(clouds_, old);
+    std::erase_if(objects_, [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; });
+    clouds_.forget_unused();
 }
 
 void PointsPass::balance(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
@@ -248,6 +209,17 @@ void PointsPass::gather(PassContext& context, const Surface& surface, const GpuC
     bind_points(program, surface, cloud, object);
     program.set("piece_radius", piece_radius(surface, cloud));
     dispatch(cloud.points);
+    blend(context, cloud, object);
+}
+
+/// Before it is drawn, since a vertex that many triangles share would be blended many times.
+void PointsPass::blend(PassContext& context, const GpuCloud& cloud, const GpuObject& object) {
+    const gpu::Program& program = compute(context, "blend");
+    program.texture("blends", cloud.blends, {.filter = gpu::Filter::nearest});
+    program.texture("point_light", object.point_light, {.filter = gpu::Filter::nearest});
+    program.image("vertex_light", object.vertex_light, 0, true);
+    program.set("vertices", cloud.vertices);
+    dispatch(cloud.vertices);
 }
 
 void PointsPass::draw(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
@@ -256,16 +228,11 @@ void PointsPass::draw(PassContext& context, const Surface& surface, const GpuClo
                                         .fragment = "translucency/points/surface.frag"};
     if (vertex_array_ == 0) {
         glCreateVertexArrays(1, &vertex_array_);
-        for (GLuint i = 0; i < 3; ++i) {
-            glEnableVertexArrayAttrib(vertex_array_, i);
-            glVertexArrayAttribBinding(vertex_array_, i, 0);
-        }
-        glVertexArrayAttribFormat(vertex_array_, 0, 3, GL_FLOAT, GL_FALSE, offsetof(PointCloud::Vertex, position));
-        glVertexArrayAttribIFormat(vertex_array_, 1, 2, GL_UNSIGNED_INT, offsetof(PointCloud::Vertex, points));
-        glVertexArrayAttribFormat(vertex_array_, 2, 4, GL_UNSIGNED_BYTE, GL_TRUE,
-                                  offsetof(PointCloud::Vertex, weights));
+        glEnableVertexArrayAttrib(vertex_array_, 0);
+        glVertexArrayAttribBinding(vertex_array_, 0, 0);
+        glVertexArrayAttribFormat(vertex_array_, 0, 3, GL_FLOAT, GL_FALSE, 0);
     }
-    glVertexArrayVertexBuffer(vertex_array_, 0, cloud.vertices.name(), 0, sizeof(PointCloud::Vertex));
+    glVertexArrayVertexBuffer(vertex_array_, 0, cloud.positions.name(), 0, sizeof(glm::vec3));
     glVertexArrayElementBuffer(vertex_array_, cloud.indices.name());
     context.bind_targets();
     Frame& frame = context.frame();
@@ -275,7 +242,7 @@ void PointsPass::draw(PassContext& context, const Surface& surface, const GpuClo
     object.interior.bind(program);
     for (const char* target : {"scene_depth", "gbuffer_normal"})
         program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
-    program.texture("point_light", object.point_light, {.filter = gpu::Filter::nearest});
+    program.texture("vertex_light", object.vertex_light, {.filter = gpu::Filter::nearest});
     program.set("world_from_local", world_from_cloud(surface, cloud));
     program.set("clip_from_world", frame.block.view_projection);
     const DrawState state(DepthState::off, BlendState::attenuate_add);

@@ -5,7 +5,7 @@
 #include <memory>
 #include <tuple>
 
-#include "points/gpu_cloud.h"
+#include "points/cloud_store.h"
 #include "render/frame_graph.h"
 #include "render/light_programs.h"
 #include "translucency_settings.h"
@@ -25,37 +25,32 @@ class PointsPass final : public Pass {
     void execute(PassContext& context) override;
 
  private:
-    /// Clouds by mesh and how it is stretched.
-    struct Cloud {
-        std::unique_ptr<GpuCloud> gpu;
-        uint64_t last_used = 0;
-        int levels = 0;
-        float opening = 0.0f;
-    };
     /// Objects by entity, mesh, and how many of both came before in the frame.
     struct Object {
         std::unique_ptr<GpuObject> gpu;
         const GpuCloud* cloud = nullptr;
         uint64_t last_used = 0;
+        int levels = 0;
         bool balanced = false;
         bool directional = false;
     };
     using ObjectKey = std::tuple<uint64_t, uint64_t, int>;
 
     [[nodiscard]] bool directional() const;
-    const GpuCloud& cloud_of(const Surface& surface);
-    Object& object_of(const Surface& surface, const GpuCloud& cloud);
+    Object& object_of(const Surface& surface);
+    void prepare(Object& object, const Surface& surface, const GpuCloud& cloud) const;
     void render(PassContext& context, const Surface& surface);
     void forget_unused();
     void balance(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
     void light(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
     void sum(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
     void gather(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
+    static void blend(PassContext& context, const GpuCloud& cloud, const GpuObject& object);
     void draw(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
 
     std::shared_ptr<TechniquePlan> plan_;
     const TranslucencySettings& settings_;
-    std::map<std::tuple<uint64_t, float, float, float>, Cloud> clouds_;
+    CloudStore clouds_;
     std::map<ObjectKey, Object> objects_;
     LightPrograms light_programs_, directional_light_programs_;
     unsigned int vertex_array_ = 0;

@@ -1,0 +1,82 @@
+#include "points/cloud_store.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/log.h"
+
+namespace tyndall::translucency {
+namespace {
+
+/// How a transform stretches the mesh's axes, over the most, in steps of a fiftieth so that little changes keep the
+/// cloud.
+glm::vec3 shape_of(const glm::mat4& transform) {
+    const glm::vec3 scale(glm::length(transform[0]), glm::length(transform[1]), glm::length(transform[2]));
+    const glm::vec3 steps = glm::round(50.0f * glm::log(scale / std::max({scale.x, scale.y, scale.z})));
+    return glm::exp(steps / 50.0f);
+}
+
+/// The mesh with its axes stretched.
+Mesh stretched(const Mesh& mesh, const glm::vec3& shape) {
+    Mesh made;
+    made.positions = mesh.positions;
+    made.normals = mesh.normals;
+    made.indices = mesh.indices;
+    for (glm::vec3& position : made.positions) position *= shape;
+    for (glm::vec3& normal : made.normals) normal = glm::normalize(normal / shape);
+    made.bounds = bounds_of(made.positions);
+    return made;
+}
+
+float area_of(const Mesh& mesh, const glm::vec3& shape) {
+    double twice = 0.0;
+    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+        const glm::vec3 a = shape * mesh.positions[mesh.indices[3 * t]];
+        const glm::vec3 b = shape * mesh.positions[mesh.indices[3 * t + 1]];
+        const glm::vec3 c = shape * mesh.positions[mesh.indices[3 * t + 2]];
+        twice += double(glm::length(glm::cross(b - a, c - a)));
+    }
+    return float(0.5 * twice);
+}
+
+}  // namespace
+
+const GpuCloud& CloudStore::cloud(const Surface& surface, int levels, float opening) {
+    const glm::vec3 shape = shape_of(surface.transform);
+    Cloud& cloud = clouds_[{{surface.mesh->id, shape.x, shape.y, shape.z}, levels}];
+    cloud.last_used = frame_;
+    if (cloud.gpu && cloud.opening == opening) return *cloud.gpu;
+    const auto begun = std::chrono::steady_clock::now();
+    const Mesh& mesh = surface.mesh->mesh;
+    const PointCloud made = shape == glm::vec3(1.0f) ? make_point_cloud(mesh, levels, opening)
+                                                     : make_point_cloud(stretched(mesh, shape), levels, opening);
+    cloud.gpu = std::make_unique<GpuCloud>(made, shape);
+    cloud.opening = opening;
+    log::info("translucency: {}: {} points, {} to gather from on average, {:.1f} MB, {:.2f} s", surface.mesh->name,
+              made.points.size(),
+              made.points.empty() ? 0 : made.lists.size() * PointCloud::kCluster / made.points.size(),
+              double(cloud.gpu->bytes()) / 1048576.0,
+              std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
+    return *cloud.gpu;
+}
+
+float CloudStore::area(const Surface& surface) {
+    const glm::vec3 shape = shape_of(surface.transform);
+    const auto [found, is_new] = areas_.try_emplace({surface.mesh->id, shape.x, shape.y, shape.z});
+    if (is_new) found->second.area = area_of(surface.mesh->mesh, shape);
+    found->second.last_used = frame_;
+    const float volume = std::abs(glm::determinant(glm::mat3(surface.transform))) / (shape.x * shape.y * shape.z);
+    return found->second.area * std::pow(volume, 2.0f / 3.0f);
+}
+
+void CloudStore::forget_unused() {
+    const auto old = [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; };
+    std::erase_if(clouds_, old);
+    std::erase_if(areas_, old);
+    ++frame_;
+}
+
+}  // namespace tyndall::translucency
