@@ -30,6 +30,20 @@ void set_optics(const TransmissionColourOptics& from, ScatteringInterior& to) {
     to.sigma_a_per_m = absorption_from_colour(from.colour, from.at_m);
 }
 
+/// Light that is scattered many times dies away as exp(-k d), where k, over the extinction, is Case's eigenvalue x of
+/// the albedo: albedo = 2 x / ln((1 + x) / (1 - x)) (Case & Zweifel, Linear Transport Theory, 1967, 4.2; isotropic,
+/// or reduced). So x = tanh(k / scattering): exact from clear to milky, where diffusion theory holds near 1 alone.
+void set_optics(const TransportColourOptics& from, ScatteringInterior& to) {
+    const glm::vec3 reduced = 1000.0f / from.mean_free_path_mm;
+    const glm::vec3 decay = absorption_from_colour(from.colour, from.at_m);
+    const glm::vec3 share = glm::max(decay / reduced, glm::vec3(1e-20f));
+    // k / tanh(k / s) - s, without what cancels where k is small
+    const glm::vec3 series = share * share / 3.0f;
+    const glm::vec3 exact = share / glm::tanh(share) - 1.0f;
+    to.sigma_a_per_m = reduced * glm::mix(exact, series, glm::lessThan(share, glm::vec3(0.02f)));
+    to.sigma_s_per_m = reduced / glm::max(1.0f - mean_cosine(to.phase), glm::vec3(1e-3f));
+}
+
 template <int PerMetre>
 void describe_coefficients(StructBuilder<Coefficients<PerMetre>>& d, const char* unit) {
     using C = Coefficients<PerMetre>;
@@ -66,13 +80,26 @@ void describe(StructBuilder<TransmissionColourOptics>& d) {
     d.field("at_m", &TransmissionColourOptics::at_m, "The distance.").unit("m").range(1e-6, 1e6);
 }
 
+void describe(StructBuilder<TransportColourOptics>& d) {
+    using O = TransportColourOptics;
+    d.doc("Milky and coloured: what light that is scattered many times looks like after a distance.");
+    d.field("colour", &O::colour, "What is left of white light after at_m, far from where it entered.")
+        .range(0.0, 1.0)
+        .colour();
+    d.field("at_m", &O::at_m, "The distance.").unit("m").range(1e-6, 1e6);
+    d.field("mean_free_path_mm", &O::mean_free_path_mm,
+            "1 / the reduced scattering per channel: how far light goes before it has lost its direction.")
+        .unit("mm")
+        .range(1e-6, 1e9);
+}
+
 void describe(StructBuilder<InteriorComponent>& d) {
     using I = InteriorComponent;
     d.doc(
         "What is inside the entity's closed meshes (its mesh, or all of its gltf), behind a dielectric boundary that "
         "takes the place of the material. The reference path tracer shows it.");
     d.field("optics", &I::optics, "What scatters and absorbs.",
-            {"coefficients_per_mm", "coefficients_per_m", "albedo", "transmission_colour"});
+            {"coefficients_per_mm", "coefficients_per_m", "albedo", "transmission_colour", "transport_colour"});
     d.field("phase", &I::phase, "How scattered light is spread over directions.", phase_names());
     d.field("density", &I::density, "Multiplies the coefficients; places are in the mesh's space.", density_names());
     d.field("emission_cd_m2_per_m", &I::emission_cd_m2_per_m, "Radiance given off per metre.")

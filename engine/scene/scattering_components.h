@@ -146,16 +146,23 @@ struct TransmissionColourOptics {
     glm::vec3 colour{1.0f};
     float at_m = 0.01f;
 };
+struct TransportColourOptics {
+    glm::vec3 colour{1.0f, 0.8f, 0.6f};
+    float at_m = 0.01f;
+    glm::vec3 mean_free_path_mm{1.0f};
+};
 
 void describe(StructBuilder<CoefficientsPerM>& d);
 void describe(StructBuilder<CoefficientsPerMm>& d);
 void describe(StructBuilder<AlbedoOptics>& d);
 void describe(StructBuilder<TransmissionColourOptics>& d);
+void describe(StructBuilder<TransportColourOptics>& d);
 
 /// What is inside the entity's meshes.
 struct InteriorComponent {
     static constexpr std::string_view kName = "interior";
-    std::variant<CoefficientsPerMm, CoefficientsPerM, AlbedoOptics, TransmissionColourOptics> optics;
+    std::variant<CoefficientsPerMm, CoefficientsPerM, AlbedoOptics, TransmissionColourOptics, TransportColourOptics>
+        optics;
     PhaseChoice phase;
     DensityChoice density;
     glm::vec3 emission_cd_m2_per_m{0.0f};

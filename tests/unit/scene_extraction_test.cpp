@@ -185,6 +185,11 @@ TEST_F(Extraction, InteriorsComeInPerMetreWhateverTheirOptics) {
     made = interior(R"({ "optics": { "transmission_colour": { "colour": [0.5, 1, 0.25], "at_m": 0.1 } } })");
     expect_near(made.sigma_a_per_m, {6.93147f, 0, 13.86294f});
     EXPECT_EQ(made.sigma_s_per_m, glm::vec3(0));
+    // a colour of 1 / e after 10 mm: clear (the coefficient itself), in between (1 / tanh(1) - 1), milky (k^2 / 3 s)
+    made = interior(R"({ "optics": { "transport_colour": { "colour": [0.36787944, 0.36787944, 0.36787944], "at_m": 0.01,
+                         "mean_free_path_mm": [1e6, 10, 0.1] } }, "phase": { "henyey_greenstein": { "g": 0.5 } } })");
+    expect_near(made.sigma_a_per_m, {99.999f, 31.30353f, 0.333311f});
+    expect_near(made.sigma_s_per_m, {0.002f, 200, 20000});
 }
 
 TEST_F(Extraction, AnInteriorsVolumeFillsTheMesh) {
