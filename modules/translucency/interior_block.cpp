@@ -15,6 +15,12 @@ constexpr float kFirstPath = 0.4f;
 /// Light that leaves so many mean free paths from where it entered has forgotten where that was (by 1 - 1/e).
 constexpr float kDeepPaths = 4.0f;
 
+glm::vec3 slanted(const InteriorKey& key, const glm::vec3& straight, float i) {
+    if (key.model != Model::directional || key.scaling != Scaling::exact) return glm::vec3(1.0f);
+    const glm::vec3 returned = directional_returned(key.optics, i / float(physics::HalfSpace::kCosines - 1));
+    return straight / glm::max(returned, 0.1f * straight + 1e-12f);
+}
+
 InteriorBlock block_of(const InteriorKey& key) {
     const Optics& optics = key.optics;
     const bool exact = key.scaling == Scaling::exact;
@@ -37,6 +43,8 @@ InteriorBlock block_of(const InteriorKey& key) {
     block.kernel_rate = glm::vec4(kernel.rate(), std::numbers::log2e_v<float> / (kDeepPaths * path), 0.0f, 0.0f);
     block.sigma_s_reduced = glm::vec4(optics.sigma_s_reduced, 0.0f);
     block.sigma_a = glm::vec4(optics.sigma_a, 0.0f);
+    for (size_t i = 0; i < physics::HalfSpace::kCosines; ++i)
+        block.slanted[i] = glm::vec4(slanted(key, kernel.returned(), float(i)), 0.0f);
     block.published = glm::vec4(exact ? 1.0f / glm::max(kernel.returned(), glm::vec3(1e-12f)) : glm::vec3(1.0f), 0.0f);
     return block;
 }

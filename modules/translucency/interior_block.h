@@ -16,8 +16,10 @@ struct InteriorBlock {
     glm::vec4 boundary;       ///< x index of refraction; y metres to the first collision; z 1 when as much leaves as is
                               ///< exact, 0 when the model decides
     glm::vec4 kernel_rate;  ///< x of the widest Gaussian, 1/m2; y at which light forgets where it entered, log2 a metre
-    glm::vec4 sigma_s_reduced, sigma_a;  ///< 1/m
-    glm::vec4 published;                 ///< what the published model is multiplied by
+    glm::vec4 sigma_s_reduced, sigma_a;               ///< 1/m
+    glm::vec4 published;                              ///< what the published model is multiplied by
+    glm::vec4 slanted[physics::HalfSpace::kCosines];  ///< directional: what flux is multiplied by for what the model
+                                                      ///< returns too little of it, by the cosine inside
 };
 
 /// All that an interior's GPU copy is made from.

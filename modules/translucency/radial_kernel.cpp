@@ -71,6 +71,27 @@ glm::vec3 exitance(Model model, const Optics& optics, float r) {
     return glm::vec3(0.0f);
 }
 
+glm::vec3 directional_returned(const Optics& optics, float cosine) {
+    constexpr int kAngles = 24, kDistances = 120;
+    const physics::Diffusion m = physics::make_diffusion(optics.sigma_s_reduced, optics.sigma_a, 0.0f, optics.eta);
+    const glm::vec3 path = 1.0f / glm::max(optics.sigma_s_reduced + optics.sigma_a, glm::vec3(1e-6f));
+    const float first = std::log(1e-3f * std::min({path.x, path.y, path.z}));
+    const float step = (std::log(1e3f * std::max({path.x, path.y, path.z})) - first) / kDistances;
+    const glm::vec3 normal(0, 0, 1), way(std::sqrt(std::max(1.0f - cosine * cosine, 0.0f)), 0.0f, -cosine);
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < kDistances; ++i) {
+        const float r = std::exp(first + (float(i) + 0.5f) * step);
+        glm::dvec3 ring(0.0);
+        for (int k = 0; k < kAngles; ++k) {
+            const float angle = std::numbers::pi_v<float> * (float(k) + 0.5f) / kAngles;  // the other half is alike
+            const glm::vec3 x(r * std::cos(angle), r * std::sin(angle), 0.0f);
+            ring += glm::dvec3(physics::directional_dipole(m, x, way, normal, normal));
+        }
+        sum += ring * (2.0 * std::numbers::pi / kAngles * double(r * r * step));
+    }
+    return glm::vec3(sum);
+}
+
 RadialKernel::RadialKernel(const Optics& optics, Model model, Scaling scaling, float piece_radius)
     : piece_radius_(double(piece_radius)) {
     integrate(optics, model);

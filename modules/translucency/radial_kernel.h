@@ -27,6 +27,10 @@ struct Optics {
 /// normal.
 [[nodiscard]] glm::vec3 exitance(Model model, const Optics& optics, float r);
 
+/// Of light that has entered at a cosine 0..1 to the normal, inside, the share that the directional dipole returns from
+/// a half-space, as published.
+[[nodiscard]] glm::vec3 directional_returned(const Optics& optics, float cosine);
+
 /// The exitance of a small piece of surface through which a unit of flux enters, by the distance from its middle, 1/m2:
 /// the mean of the model over a disc of the piece's size, as a sum of Gaussians w exp(-rate r^2), each rate half of the
 /// one before (as d'Eon & Luebke 2007 have profiles of skin): one exponential and products give them all.

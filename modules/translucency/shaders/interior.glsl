@@ -14,6 +14,7 @@ layout(std140) uniform Interior {
     vec4 sigma_s_reduced;
     vec4 sigma_a;
     vec4 published;
+    vec4 slanted[kLeavingCosines];
 } interior;
 
 float interior_eta() { return interior.boundary.x; }
@@ -46,6 +47,12 @@ vec3 deep_pattern(float cosine) {
     float x = cosine_inside(cosine) * float(kLeavingCosines - 1);
     int i = min(int(x), kLeavingCosines - 2);
     return mix(interior.deep[i].rgb, interior.deep[i + 1].rgb, x - float(i));
+}
+/// The directional dipole's kernel is normalised for light along the normal and returns less of what enters slantwise.
+vec3 slanted_scale(float cosine) {
+    float x = cosine_inside(cosine) * float(kLeavingCosines - 1);
+    int i = min(int(x), kLeavingCosines - 2);
+    return mix(interior.slanted[i].rgb, interior.slanted[i + 1].rgb, x - float(i));
 }
 /// Metres along the surface that refracted light goes before it first collides, over the sine outside.
 float first_path() { return interior.boundary.y; }

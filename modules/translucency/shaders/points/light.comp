@@ -22,6 +22,7 @@ void main() {
     vec4 place = imageLoad(node_places, node_texel(point));
     place.xyz = mix(place.xyz, collides, entered / max(place.w + entered, 1e-30));
 #ifdef DIRECTIONS
+    leaving *= slanted_scale(cosine);
     vec4 direction = imageLoad(node_directions, node_texel(point));
     vec3 refracted = refract(-to_light, piece.normal, 1.0 / interior_eta());
     direction.xyz = mix(direction.xyz, refracted, entered / max(place.w + entered, 1e-30));
