@@ -20,21 +20,23 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
     vec3 step_depth = media[medium].sigma_t.rgb * ds;
     vec3 weight = mean_transmittance(step_depth) * ds;  // and the transmittance up to the step
     vec3 factor = exp(-step_depth);
-    for (int i = 0; i < steps; ++i) {
+    int i = 0;  // a loop that tests at its end: processors run the body of others once more than it has turns
+    do {
         sum += source(ray, t0 + (float(i) + offset) * ds, ds) * weight;
         weight *= factor;
-    }
+    } while (++i < steps);
 #else
     // The way to the eye is taken at the very point whose light is taken: their means over the step would be correlated
     // where the density varies, and few steps would lose light.
     vec3 to_eye = media_transmittance(ray.origin, ray.direction, 0.0, t0);
     float reached = t0;
-    for (int i = 0; i < steps && largest(to_eye) >= least_transmittance; ++i) {
+    int i = 0;
+    do {
         float t = t0 + (float(i) + offset) * ds;
         to_eye *= exp(-media_optical_depth(ray.origin, ray.direction, reached, t, 1));
         reached = t;
         sum += source(ray, t, ds) * to_eye * ds;
-    }
+    } while (++i < steps && largest(to_eye) >= least_transmittance);
 #endif
     return sum;
 }
@@ -53,10 +55,9 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
 #if !defined(ONE_MEDIUM) || !defined(EVEN_MEDIA)
     vec3 to_eye = media_transmittance(ray.origin, ray.direction, 0.0, t0);
     float reached = t0;
-    for (int i = 0; i < steps && largest(to_eye) >= least_transmittance; ++i) {
-#else
-    for (int i = 0; i < steps; ++i) {
 #endif
+    int i = 0;
+    do {
         float tangent = at.y / at.x;
         float t = clamp(closest + passing * tangent, t0, t1);
         // the integral of 1/d^2 over the step is dangle / passing; `source` has 1/d^2 at t in it
@@ -69,7 +70,11 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
 #endif
         sum += source(ray, t, abs(metres)) * to_eye * metres;
         at = vec2(at.x * turn.x - at.y * turn.y, at.y * turn.x + at.x * turn.y);
-    }
+#if defined(ONE_MEDIUM) && defined(EVEN_MEDIA)
+    } while (++i < steps);
+#else
+    } while (++i < steps && largest(to_eye) >= least_transmittance);
+#endif
     return sum;
 }
 #endif
