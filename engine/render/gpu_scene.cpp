@@ -20,7 +20,7 @@ namespace {
 struct SurfaceRecord {
     glm::mat4 world_from_local;
     glm::mat4 previous_world_from_local;
-    glm::vec4 normal_from_local[3];  ///< columns of the inverse transpose
+    glm::vec4 normal_from_local[3];  ///< columns of the inverse transpose; w of the first: number of the surface
 };
 
 constexpr uint32_t kNoMaterial = 0xffffffff;
@@ -54,11 +54,12 @@ struct Batch {
     float distance2 = 0.0f;
 };
 
-SurfaceRecord record_of(const Surface& surface) {
+/// `number` from 1 on, as RenderScene has the surfaces: what gbuffer_surface tells of a pixel.
+SurfaceRecord record_of(const Surface& surface, float number) {
     const glm::mat3 normal = glm::inverseTranspose(glm::mat3(surface.transform));
     return {surface.transform,
             surface.previous_transform,
-            {glm::vec4(normal[0], 0.0f), glm::vec4(normal[1], 0.0f), glm::vec4(normal[2], 0.0f)}};
+            {glm::vec4(normal[0], number), glm::vec4(normal[1], 0.0f), glm::vec4(normal[2], 0.0f)}};
 }
 
 float distance2(const Bounds& box, const glm::vec3& eye) {
@@ -221,7 +222,7 @@ void GpuScene::update(const RenderScene& scene, const Seams& seams) {
         const uint32_t index = self.materials.add(material, seams, self.textures);
         const bool mirrored = glm::determinant(glm::mat3(surface.transform)) < 0.0f;
         self.items.push_back({&surface, &mesh, index, mirrored});
-        self.records.push_back(record_of(surface));
+        self.records.push_back(record_of(surface, float(&surface - scene.surfaces.data() + 1)));
         self.bounds.merge(surface.bounds);
     }
     self.materials.upload();

@@ -35,12 +35,11 @@ InteriorBlock block_of(const InteriorKey& key) {
     const bool bends = optics.eta > 1.0f;
     block.base_entering = glm::vec4(physics::HalfSpace(endless, optics.eta).diffuse_leaving(),
                                     bends ? physics::diffuse_transmission(1.0f / optics.eta) : 1.0f);
-    const glm::vec3 extinction = optics.sigma_s_reduced + optics.sigma_a;
-    const float path = 3.0f / (extinction.x + extinction.y + extinction.z);
+    const float path = mean_free_path(optics);
     block.boundary = glm::vec4(optics.eta, exact ? kFirstPath * path / optics.eta : 0.0f, exact ? 1.0f : 0.0f, 0.0f);
     const RadialKernel kernel(optics, key.model, key.scaling, key.piece_radius);
     std::ranges::copy(kernel.weights(), block.kernel);
-    block.kernel_rate = glm::vec4(kernel.rate(), std::numbers::log2e_v<float> / (kDeepPaths * path), 0.0f, 0.0f);
+    block.kernel_rate = glm::vec4(kernel.rate(), std::numbers::log2e_v<float> / deep_distance(optics), 0.0f, 0.0f);
     block.sigma_s_reduced = glm::vec4(optics.sigma_s_reduced, 0.0f);
     block.sigma_a = glm::vec4(optics.sigma_a, 0.0f);
     for (size_t i = 0; i < physics::HalfSpace::kCosines; ++i)
@@ -58,6 +57,15 @@ glm::vec3 body_albedo(const Optics& optics, float body_radius) {
     glm::vec3 taken;
     for (int i = 0; i < 3; ++i) taken[i] = x[i] < 1e-2f ? x[i] / 3.0f : 1.0f / std::tanh(x[i]) - 1.0f / x[i];
     return 1.0f - (1.0f - albedo) * taken * taken;
+}
+
+float mean_free_path(const Optics& optics) {
+    const glm::vec3 extinction = optics.sigma_s_reduced + optics.sigma_a;
+    return 3.0f / std::max(extinction.x + extinction.y + extinction.z, 1e-6f);
+}
+
+float deep_distance(const Optics& optics) {
+    return kDeepPaths * mean_free_path(optics);
 }
 
 bool InteriorBuffers::update(const InteriorKey& key) {

@@ -37,6 +37,11 @@ struct InteriorKey {
 /// weak absorption that is volume over surface, whatever the shape (Blanco & Fournier 2003).
 [[nodiscard]] glm::vec3 body_albedo(const Optics& optics, float body_radius);
 
+/// Metres between collisions in the mean of the channels, of isotropic ones that are as good.
+[[nodiscard]] float mean_free_path(const Optics& optics);
+/// Light that leaves so far from where it entered, in metres, has forgotten where that was (by 1 - 1/e).
+[[nodiscard]] float deep_distance(const Optics& optics);
+
 /// An interior on the GPU.
 class InteriorBuffers {
  public:

@@ -48,6 +48,8 @@ class RadialKernel {
     [[nodiscard]] glm::vec3 at(float r) const;
     /// What the Gaussians are fitted to: the mean over the disc whose middle is `r` metres away.
     [[nodiscard]] glm::vec3 exact(float r) const;
+    /// Share of what leaves that does so nearer than `r` metres (of a point, whatever the piece).
+    [[nodiscard]] glm::vec3 share_within(float r) const { return glm::vec3(within(double(r)) / within_.back()); }
     /// Integral of the model over the plane, before scaling.
     [[nodiscard]] const glm::vec3& returned() const { return returned_; }
 

@@ -3,6 +3,9 @@
 #include "htsm/htsm_pass.h"
 #include "module/module.h"
 #include "points/points_pass.h"
+#include "thickness/thickness_pass.h"
+#include "tsm/tsm_pass.h"
+#include "wrap/wrap_pass.h"
 
 namespace tyndall::translucency {
 
@@ -13,6 +16,9 @@ class Translucency final : public Module {
         const auto plan = std::make_shared<TechniquePlan>();
         registrar.pass(std::make_unique<PointsPass>(plan, settings));
         registrar.pass(std::make_unique<HtsmPass>(plan, settings));
+        registrar.pass(std::make_unique<TsmPass>(plan, settings));
+        registrar.pass(std::make_unique<ThicknessPass>(plan, settings));
+        registrar.pass(std::make_unique<WrapPass>(plan, settings));
     }
 };
 

@@ -2,6 +2,8 @@
 /// What a scene may choose of the rendering of translucent things.
 
 #include "ecs/description.h"
+#include "thickness/thickness_settings.h"
+#include "tsm/tsm_settings.h"
 
 namespace tyndall::translucency {
 
@@ -75,6 +77,8 @@ struct TranslucencySettings {
     Scaling scaling = Scaling::exact;
     PointsSettings points;
     HtsmSettings htsm;
+    TsmSettings tsm;
+    ThicknessSettings thickness;
 };
 
 inline void describe(StructBuilder<TranslucencySettings>& d) {
@@ -88,6 +92,8 @@ inline void describe(StructBuilder<TranslucencySettings>& d) {
             {"exact", "published"});
     d.field("points", &S::points, "The technique points.");
     d.field("htsm", &S::htsm, "The technique htsm.");
+    d.field("tsm", &S::tsm, "The technique tsm.");
+    d.field("thickness", &S::thickness, "The technique thickness.");
 }
 
 }  // namespace tyndall::translucency

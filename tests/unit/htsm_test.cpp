@@ -7,8 +7,8 @@
 
 #include "htsm/htsm_pass.h"
 #include "htsm/object_grid.h"
-#include "htsm/pixels.h"
 #include "htsm/solid.h"
+#include "pixels.h"
 #include "scene/primitives.h"
 
 namespace tyndall::translucency {

@@ -1,6 +1,7 @@
 // How surface points are kept between the geometry passes and the passes that light them.
 //
 // gbuffer_normal  rgba16  octahedral normal, roughness, shading model (4 bits) and occlusion (12 bits)
+// gbuffer_surface r32f    number of the surface in the scene, from 1 on
 // gbuffer_base    rgba16  base colour, metallic
 // gbuffer_f0      rgba16  dielectric reflectance at normal incidence, at grazing incidence
 // scene_depth     depth32f, reversed-Z: near / distance along the view, 0 where there is nothing

@@ -18,6 +18,7 @@ out vec4 v_uv;
 #ifndef DEPTH_ONLY
 out vec3 v_position;
 out vec3 v_normal;
+flat out float v_surface;  // number of the surface
 #ifdef NORMAL_MAP
 out vec4 v_tangent;
 #endif
@@ -31,6 +32,7 @@ void main() {
 #endif
 #ifndef DEPTH_ONLY
     v_position = world.xyz;
+    v_surface = surfaces[surface].normal_from_local[0].w;
     v_normal = mat3(surfaces[surface].normal_from_local[0].xyz, surfaces[surface].normal_from_local[1].xyz,
                     surfaces[surface].normal_from_local[2].xyz) * normal;
 #ifdef NORMAL_MAP

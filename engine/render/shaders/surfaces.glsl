@@ -3,6 +3,6 @@
 struct SurfaceRecord {
     mat4 world_from_local;
     mat4 previous_world_from_local;
-    vec4 normal_from_local[3];  // columns of the inverse transpose
+    vec4 normal_from_local[3];  // columns of the inverse transpose; w of the first: number of the surface
 };
 layout(std430) readonly buffer Surfaces { SurfaceRecord surfaces[]; };

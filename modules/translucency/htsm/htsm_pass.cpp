@@ -7,19 +7,19 @@
 #include <span>
 
 #include "core/log.h"
-#include "htsm/pixels.h"
+#include "light_state.h"
+#include "pixels.h"
 #include "render/draw_state.h"
 #include "render/frame.h"
-#include "render/gpu_scene.h"
 #include "render/light_buffer.h"
 #include "render/seams.h"
 #include "render/shadow_maps.h"
+#include "seen_surface.h"
 
 namespace tyndall::translucency {
 namespace {
 
 constexpr uint64_t kKeptFrames = 120;
-constexpr const char* kSolids = "translucent_solids";
 /// The first ring of Shopf's pattern over the transport distance, and over the object's radius at most: the third ring,
 /// four times as wide, still meets the object.
 constexpr float kRing = 0.25f, kMostRing = 0.12f;
@@ -33,10 +33,6 @@ gpu::ProgramDesc program_of(const HtsmPass::Variant& variant, const std::string&
             .defines = std::move(defines)};
 }
 
-bool has_light_all_around(const RenderScene& scene) {
-    return !scene.probes.empty() || scene.sky.image || scene.sky.radiance != glm::vec3(0.0f);
-}
-
 }  // namespace
 
 HtsmPass::HtsmPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings& settings)
@@ -46,8 +42,8 @@ void HtsmPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::diffusion)
         .reads("scene_depth", "where the surfaces are seen")
         .reads("gbuffer_normal", "toward the eye")
+        .reads("gbuffer_surface", "which surface is seen")
         .reads("shadow_maps", "where light enters solids", true)
-        .writes(kSolids, {.format = gpu::Format::r32f, .clear = glm::vec4(0.0f)}, "which solid is seen, by number")
         .updates("light_diffuse", "light that leaves translucent surfaces in place of what arrives there")
         .after("translucency.points");
 }
@@ -75,7 +71,6 @@ void HtsmPass::render(PassContext& context, const Surface& surface, float number
     const PixelRectangle pixels = pixels_of(surface.bounds, context.frame().block.view_projection, context.size());
     if (pixels.empty()) return;
     if (variant_of(surface).voxels) arrive(context, surface, object);
-    number_pixels(context, surface, number);
     const std::string_view targets[] = {"light_diffuse"};
     context.bind_targets(targets, -1);
     glEnable(GL_SCISSOR_TEST);
@@ -88,33 +83,11 @@ void HtsmPass::render(PassContext& context, const Surface& surface, float number
     glDisable(GL_SCISSOR_TEST);
 }
 
-void HtsmPass::number_pixels(PassContext& context, const Surface& surface, float number) {
-    static const gpu::ProgramDesc kDesc{.name = "translucency.htsm.solids",
-                                        .vertex = "translucency/htsm/surface.vert",
-                                        .fragment = "translucency/htsm/solids.frag"};
-    const std::string_view targets[] = {kSolids};
-    context.bind_targets(targets, -1);
-    Frame& frame = context.frame();
-    const gpu::Program& program = frame.shaders.program(kDesc);
-    program.use();
-    bind_frame(program, frame);
-    program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
-    program.set("world_from_local", surface.transform);
-    program.set("clip_from_world", frame.block.view_projection);
-    program.set("number", number);
-    const bool mirrored = glm::determinant(glm::mat3(surface.transform)) < 0.0f;
-    glEnable(GL_CULL_FACE);
-    glFrontFace(mirrored ? GL_CW : GL_CCW);
-    frame.gpu_scene.draw_mesh(*surface.mesh);
-    glDisable(GL_CULL_FACE);
-    glFrontFace(GL_CCW);
-}
-
 void HtsmPass::bind(const gpu::Program& program, PassContext& context, const Surface& surface, float number,
                     const Solid& solid) {
     solid.bind(program);
     table_.bind(program);
-    for (const char* target : {"scene_depth", "gbuffer_normal", kSolids})
+    for (const char* target : {"scene_depth", "gbuffer_normal", "gbuffer_surface"})
         program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
     const Material& boundary = *surface.material;
     program.set("boundary_base", glm::vec4(glm::vec3(boundary.base_colour), boundary.ior));
@@ -141,18 +114,11 @@ void HtsmPass::begin(PassContext& context, const Surface& surface, float number,
 
 std::string HtsmPass::source_of(Frame& frame, size_t light, const Surface& surface, const Solid& solid) const {
     std::string source;
-    const auto add = [&](const auto& value) { source.append(reinterpret_cast<const char*>(&value), sizeof value); };
-    add(frame.lights.lights()[light]);
-    add(surface.transform);
-    add(surface.interior->eta);
-    add(solid.version());
-    add(settings_.htsm.steps);
-    const auto& gobo = frame.scene.lights[light].gobo;
-    add(gobo ? gobo->id : 0);
-    const std::vector<ShadowView>& views = frame.shadow_maps.plan().views;
-    for (size_t i = 0; i < views.size(); ++i)
-        if (views[i].light == light) add(frame.shadow_maps.version(i));
-    if (!frame.scene.media.empty()) add(frame_);  // what is in the air changes as it likes
+    append_light_state(source, frame, light, frame_);
+    append_state(source, surface.transform);
+    append_state(source, surface.interior->eta);
+    append_state(source, solid.version());
+    append_state(source, settings_.htsm.steps);
     return source;
 }
 

@@ -55,7 +55,6 @@ class HtsmPass final : public Pass {
     [[nodiscard]] Variant variant_of(const Surface& surface) const;
     Object& object_of(const Surface& surface);
     void render(PassContext& context, const Surface& surface, float number, Object& object);
-    static void number_pixels(PassContext& context, const Surface& surface, float number);
     void arrive(PassContext& context, const Surface& surface, Object& object);
     [[nodiscard]] std::string source_of(Frame& frame, size_t light, const Surface& surface, const Solid& solid) const;
     void bind_entries(const gpu::Program& program, PassContext& context) const;

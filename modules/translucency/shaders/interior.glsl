@@ -67,3 +67,5 @@ vec3 kernel_at(float r2) {
     }
     return sum;
 }
+
+float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }

@@ -1,4 +1,4 @@
-// The pixels where the solid is seen (solids.frag).
+// The pixels where the solid is seen.
 #include "render/shaders/frame.glsl"
 #include "render/shaders/gbuffer.glsl"
 #include "render/shaders/specular_table.glsl"
@@ -6,7 +6,7 @@
 
 uniform sampler2D scene_depth;
 uniform sampler2D gbuffer_normal;
-uniform sampler2D translucent_solids;
+uniform sampler2D gbuffer_surface;
 uniform float number;
 uniform vec4 boundary_base;    // rgb, index of refraction
 uniform vec4 boundary_mirror;  // rgb specular colour, weight
@@ -23,7 +23,7 @@ struct Seen {
 /// False where it is not.
 bool seen_here(out Seen seen) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if (texelFetch(translucent_solids, pixel, 0).x != number) return false;
+    if (texelFetch(gbuffer_surface, pixel, 0).x != number) return false;
     float depth = texelFetch(scene_depth, pixel, 0).x;
     LitPoint point = decode_lit_point(texelFetch(gbuffer_normal, pixel, 0));
     vec2 uv = gl_FragCoord.xy / frame.size_time.xy;

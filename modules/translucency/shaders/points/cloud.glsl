@@ -55,4 +55,3 @@ Piece piece_at(uint point) {
     return Piece((world_from_local * vec4(place_area.xyz, 1.0)).xyz, turned / max(scale, 1e-20), place_area.w * scale);
 }
 
-float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }

@@ -1,4 +1,4 @@
-#include "htsm/pixels.h"
+#include "pixels.h"
 
 namespace tyndall::translucency {
 

@@ -1,0 +1,24 @@
+#pragma once
+/// What the light that arrives at an object depends on.
+
+#include <cstdint>
+#include <string>
+#include <type_traits>
+
+namespace tyndall {
+struct Frame;
+}
+
+namespace tyndall::translucency {
+
+/// Appends a value's bytes: equal strings mean that nothing has changed.
+template <class T>
+void append_state(std::string& state, const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    state.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+/// A light, its gobo, its shadow maps; with media in the air also the frame, since they change as they like.
+void append_light_state(std::string& state, const Frame& frame, size_t light, uint64_t frame_number);
+
+}  // namespace tyndall::translucency

@@ -1,0 +1,37 @@
+#pragma once
+/// Techniques that turn the light of an object's pixels into other light in compute shaders: what they share
+/// (shaders/pixel.glsl).
+
+#include <vector>
+
+#include "interior_block.h"
+#include "pixels.h"
+#include "render/frame_graph.h"
+#include "translucent_surfaces.h"
+
+namespace tyndall::translucency {
+
+/// A surface in a frame.
+struct SeenSurface {
+    const Surface* surface = nullptr;
+    float number = 0.0f;  ///< in gbuffer_surface
+    PixelRectangle pixels;
+};
+
+/// Surfaces with a size that may be in the picture, of a technique.
+[[nodiscard]] std::vector<SeenSurface> seen_surfaces(TechniquePlan& plan, Technique technique, PassContext& context);
+
+/// Whether light comes from elsewhere than from lights.
+[[nodiscard]] bool has_light_all_around(const RenderScene& scene);
+
+/// In Pass::declare.
+void declare_pixels(PassDeclaration& declaration);
+/// After program.use(): the pixels' targets and the interior.
+void bind_pixels(const gpu::Program& program, PassContext& context, const SeenSurface& seen,
+                 const InteriorBuffers& interior);
+/// In groups of 8x8; what is written is seen by what follows.
+void dispatch_pixels(glm::ivec2 size);
+/// Takes away what the pixels had and begins with light from all around.
+void begin_pixels(PassContext& context, const SeenSurface& seen, const InteriorBuffers& interior);
+
+}  // namespace tyndall::translucency

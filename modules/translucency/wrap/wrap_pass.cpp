@@ -1,0 +1,67 @@
+#include "wrap/wrap_pass.h"
+
+#include "render/frame.h"
+#include "render/seams.h"
+
+namespace tyndall::translucency {
+namespace {
+
+constexpr uint64_t kKeptFrames = 120;
+
+}  // namespace
+
+WrapPass::WrapPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings& settings)
+    : plan_(std::move(plan)),
+      settings_(settings),
+      programs_({.name = "translucency.wrap.light", .compute = "translucency/wrap/light.comp"}) {}
+
+void WrapPass::declare(PassDeclaration& declaration) {
+    declare_pixels(declaration);
+    declaration.after("translucency.thickness");
+}
+
+void WrapPass::execute(PassContext& context) {
+    ++frame_;
+    if (settings_.enabled)
+        for (const SeenSurface& seen : seen_surfaces(*plan_, Technique::wrap, context))
+            render(context, seen, object_of(*seen.surface));
+    std::erase_if(objects_, [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; });
+}
+
+const WrapPass::Object& WrapPass::object_of(const Surface& surface) {
+    const uint64_t entity = uint64_t(surface.entity.index) << 32u | surface.entity.generation;
+    Object& object = objects_[{entity, surface.mesh->id}];
+    object.last_used = frame_;
+    const bool reshaped = object.size.update(surface.mesh->mesh, glm::mat3(surface.transform));
+    const Optics optics = optics_of(*surface.interior);
+    if (object.interior.update(
+            {optics, settings_.model, settings_.scaling, mean_free_path(optics), object.size.radius}) ||
+        reshaped)
+        object.wrap = wrap_amount(optics, settings_.model, object.size.radius);
+    return object;
+}
+
+void WrapPass::render(PassContext& context, const SeenSurface& seen, const Object& object) {
+    Frame& frame = context.frame();
+    const size_t lights = frame.scene.lights.size();
+    const bool begins = lights == 0 || has_light_all_around(frame.scene);
+    if (begins) begin_pixels(context, seen, object.interior);
+    const Bounds& bounds = seen.surface->bounds;
+    programs_.begin();
+    for (size_t i = 0; i < lights; ++i) {
+        const gpu::Program& program = programs_.use(frame, i, [&](const gpu::Program& fresh) {
+            frame.seams.bind(Seam::light_transmittance, fresh, context);
+            bind_pixels(fresh, context, seen, object.interior);
+            fresh.set("wrap_a", object.wrap.a);
+            fresh.set("wrap_lift", 0.5f * object.wrap.a * object.wrap.a * object.size.radius);
+            fresh.set("wrap_wide", object.wrap.wide);
+            fresh.set("wrap_even", object.wrap.even);
+            fresh.set("body_ball", glm::vec4(bounds.centre(), 0.5f * glm::distance(bounds.low, bounds.high)));
+        });
+        program.set("light_index", unsigned(i));
+        program.set("keeps", begins || i > 0 ? 1.0f : 0.0f);
+        dispatch_pixels(seen.pixels.size);
+    }
+}
+
+}  // namespace tyndall::translucency

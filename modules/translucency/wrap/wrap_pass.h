@@ -1,0 +1,43 @@
+#pragma once
+/// The technique wrap: light that reaches around the body, each channel as far as it spreads.
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "body_size.h"
+#include "render/light_programs.h"
+#include "seen_surface.h"
+#include "translucency_settings.h"
+#include "wrap/wrap_amount.h"
+
+namespace tyndall::translucency {
+
+class WrapPass final : public Pass {
+ public:
+    WrapPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings& settings);
+
+    [[nodiscard]] std::string_view name() const override { return "translucency.wrap"; }
+    void declare(PassDeclaration& declaration) override;
+    void execute(PassContext& context) override;
+
+ private:
+    struct Object {
+        InteriorBuffers interior;
+        BodySize size;
+        WrapAmount wrap;
+        uint64_t last_used = 0;
+    };
+    using ObjectKey = std::pair<uint64_t, uint64_t>;  ///< entity and mesh
+
+    const Object& object_of(const Surface& surface);
+    void render(PassContext& context, const SeenSurface& seen, const Object& object);
+
+    std::shared_ptr<TechniquePlan> plan_;
+    const TranslucencySettings& settings_;
+    std::map<ObjectKey, Object> objects_;
+    LightPrograms programs_;
+    uint64_t frame_ = 0;
+};
+
+}  // namespace tyndall::translucency
