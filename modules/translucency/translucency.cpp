@@ -3,6 +3,7 @@
 #include "htsm/htsm_pass.h"
 #include "module/module.h"
 #include "points/points_pass.h"
+#include "radiance_maps/radiance_maps_pass.h"
 
 namespace tyndall::translucency {
 
@@ -13,6 +14,7 @@ class Translucency final : public Module {
         const auto plan = std::make_shared<TechniquePlan>();
         registrar.pass(std::make_unique<PointsPass>(plan, settings));
         registrar.pass(std::make_unique<HtsmPass>(plan, settings));
+        registrar.pass(std::make_unique<RadianceMapsPass>(plan, settings));
     }
 };
 

@@ -2,6 +2,7 @@
 /// What a scene may choose of the rendering of translucent things.
 
 #include "ecs/description.h"
+#include "radiance_maps/radiance_maps_settings.h"
 
 namespace tyndall::translucency {
 
@@ -75,6 +76,7 @@ struct TranslucencySettings {
     Scaling scaling = Scaling::exact;
     PointsSettings points;
     HtsmSettings htsm;
+    RadianceMapsSettings radiance_maps;
 };
 
 inline void describe(StructBuilder<TranslucencySettings>& d) {
@@ -88,6 +90,7 @@ inline void describe(StructBuilder<TranslucencySettings>& d) {
             {"exact", "published"});
     d.field("points", &S::points, "The technique points.");
     d.field("htsm", &S::htsm, "The technique htsm.");
+    d.field("radiance_maps", &S::radiance_maps, "The technique radiance_maps.");
 }
 
 }  // namespace tyndall::translucency

@@ -3,33 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
+#include "body_space.h"
 #include "core/log.h"
 
 namespace tyndall::translucency {
 namespace {
-
-/// How a transform stretches the mesh's axes, over the most, in steps of a fiftieth so that little changes keep the
-/// cloud.
-glm::vec3 shape_of(const glm::mat4& transform) {
-    const glm::vec3 scale(glm::length(transform[0]), glm::length(transform[1]), glm::length(transform[2]));
-    const glm::vec3 steps = glm::round(50.0f * glm::log(scale / std::max({scale.x, scale.y, scale.z})));
-    return glm::exp(steps / 50.0f);
-}
-
-/// The mesh with its axes stretched.
-Mesh stretched(const Mesh& mesh, const glm::vec3& shape) {
-    Mesh made;
-    made.positions = mesh.positions;
-    made.normals = mesh.normals;
-    made.indices = mesh.indices;
-    for (glm::vec3& position : made.positions) position *= shape;
-    for (glm::vec3& normal : made.normals) normal = glm::normalize(normal / shape);
-    made.bounds = bounds_of(made.positions);
-    return made;
-}
 
 float area_of(const Mesh& mesh, const glm::vec3& shape) {
     double twice = 0.0;

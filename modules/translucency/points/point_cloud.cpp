@@ -4,13 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "body_space.h"
 #include "core/parallel.h"
 
 namespace tyndall::translucency {
 namespace {
-
-/// The vectors of a closed surface's area add up to nothing. Small holes, as scans have them, are no matter.
-constexpr double kOpenShare = 0.05;
 
 /// The sphere about each node's middle that holds its points.
 struct Ball {
@@ -71,23 +69,6 @@ void make_lists(PointCloud& cloud, float opening) {
     }
 }
 
-/// Of what the mesh encloses, by the divergence theorem about its middle; 0 when its faces do not close.
-double volume_of(const Mesh& mesh) {
-    const glm::dvec3 middle(mesh.bounds.centre());
-    double six = 0.0;
-    glm::dvec3 open(0.0);
-    double area = 0.0;
-    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
-        const std::uint32_t* i = &mesh.indices[3 * t];
-        const glm::dvec3 a = glm::dvec3(mesh.positions[i[0]]) - middle, b = glm::dvec3(mesh.positions[i[1]]) - middle,
-                         c = glm::dvec3(mesh.positions[i[2]]) - middle;
-        six += glm::dot(a, glm::cross(b, c));
-        open += glm::cross(b - a, c - a);
-        area += glm::length(glm::cross(b - a, c - a));
-    }
-    return glm::length(open) < kOpenShare * area ? six / 6.0 : 0.0;
-}
-
 }  // namespace
 
 PointCloud make_point_cloud(const Mesh& mesh, int levels, float opening) {
@@ -98,7 +79,7 @@ PointCloud make_point_cloud(const Mesh& mesh, int levels, float opening) {
     double area = 0.0;
     for (const SurfacePoint& point : cloud.points) area += double(point.area);
     cloud.spacing = float(std::sqrt(area / double(cloud.points.size())));
-    cloud.radius = float(std::max(0.0, 3.0 * volume_of(mesh) / area));
+    cloud.radius = body_radius(mesh);
     make_lists(cloud, opening);
     blend_points(mesh, cloud);
     return cloud;
