@@ -65,7 +65,7 @@ class RadianceMapsTest : public DoubleLoopTest {
 };
 
 TEST_F(RadianceMapsTest, ABallIsTheDoubleLoop) {
-    expect_the_integral(kBall, 0.02f, R"({"resolution": 64, "samples": 24, "light_resolution": 192})", 0.01, 0.03);
+    expect_the_integral(kBall, 0.02f, R"({"resolution": 64, "samples": 16, "light_resolution": 192})", 0.01, 0.03);
 }
 
 TEST_F(RadianceMapsTest, AThinTorusIsTheDoubleLoop) {
