@@ -307,6 +307,7 @@ void RadianceMapsPass::combine(PassContext& context, const Seen& seen) {
     program.set("view_count", seen.body.views());
     program.set("resolution", seen.body.resolution());
     program.set("samples", settings_.radiance_maps.samples);
+    program.set("frames", settings_.radiance_maps.frames);
     program.set("layer_count", int(seen.object.lights.layers().size()));
     program.set("body_from_world", glm::inverse(seen.world_from_body));
     program.set("number", seen.number);

@@ -21,6 +21,7 @@ layout(std140) uniform Views { vec4 views[3 * kMaxViews]; };  // u, v, toward th
 uniform int view_count;
 uniform int resolution;
 uniform int samples;
+uniform int frames;
 uniform mat4 body_from_world;
 uniform float number;
 uniform ivec2 low;  // pixels
@@ -52,16 +53,19 @@ void add_view(int view, vec3 place, float cosine, int level, inout vec4 sum, ino
     }
 }
 
-/// As few frames have been gathered, the maps are looked at more coarsely.
-int level_of_frames() {
-    uint all = state.gathered_frames * uint(max(samples, 1));
-    return all < 64u ? 2 : all < 256u ? 1 : 0;
+/// As few samples have been gathered, the maps are looked at more coarsely; at the end as they are.
+float level_of_samples() {
+    const float kBlurred = 64.0;  // up to so many of a texel
+    float coarsest = clamp(log2(float(resolution) / 32.0), 0.0, 2.0);  // where details would be lost
+    if (state.gathered_frames >= uint(frames)) return 0.0;
+    float all = float(frames * samples), now = float(state.gathered_frames) * float(samples);
+    return coarsest * (1.0 - log2(max(now / kBlurred, 1.0)) / log2(max(all / kBlurred, 2.0)));
 }
 
-vec4 leaving_at(vec3 place, vec3 normal) {
+vec4 leaving_of_level(vec3 place, vec3 normal, int level) {
     vec4 sum = vec4(0.0);
     float weights = 0.0;
-    int level = level_of_frames(), view = 0;
+    int view = 0;
     do {  // two loops, since processors skip nothing but by a loop
         float cosine;
         do cosine = dot(views[3 * view + 2].xyz, normal);
@@ -69,6 +73,17 @@ vec4 leaving_at(vec3 place, vec3 normal) {
         if (view < view_count) add_view(view, place, cosine, level, sum, weights);
     } while (++view < view_count);
     return sum / max(weights, 1e-30);
+}
+
+vec4 leaving_at(vec3 place, vec3 normal) {
+    float level = clamp(level_of_samples(), 0.0, 2.0);
+    int fine = int(level), last = int(ceil(level));
+    float part = level - float(fine);
+    vec4 sum = vec4(0.0);
+    int i = fine;
+    do sum += (i == fine ? 1.0 - part : part) * leaving_of_level(place, normal, i);
+    while (++i <= last);
+    return sum;
 }
 
 /// What the kernel says that leaves of light that is even all around.
