@@ -12,8 +12,8 @@ namespace {
 /// The vectors of a closed surface's area add up to nothing. Small holes, as scans have them, are no matter.
 constexpr double kOpenShare = 0.05;
 
-/// Halves a triangle across its longest edge until no edge is longer than `longest`. Neighbours cut an edge they share at
-/// the same place.
+/// Halves a triangle across its longest edge until no edge is longer than `longest`. Neighbours cut an edge they share
+/// at the same place.
 void cut(std::array<uint32_t, 3> corners, float longest, Mesh& into) {
     const auto edge = [&](size_t i) {
         return glm::distance(into.positions[corners[i]], into.positions[corners[(i + 1) % 3]]);

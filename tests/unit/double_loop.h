@@ -146,8 +146,8 @@ class DoubleLoopTest : public RendererTest {
         parallel_for(0, loop.pixels.size(), 4, [&](size_t first, size_t last) {
             for (size_t i = first; i < last; ++i) {
                 const glm::ivec2 at = loop.pixels[i];
-                loop.values[i] = over_mesh(scene.surfaces.front(),
-                                           place_of(scene, at.x, at.y, depth.at(at.x, at.y, 0)), to_light, visible);
+                loop.values[i] = over_mesh(scene.surfaces.front(), place_of(scene, at.x, at.y, depth.at(at.x, at.y, 0)),
+                                           to_light, visible);
             }
         });
         return loop;

@@ -17,9 +17,9 @@ class RadianceMapsTest : public DoubleLoopTest {
     static constexpr const char* kBall = R"("primitive": "sphere", "tessellation": 96)";
 
     RenderScene small_ball(Engine& engine) {
-        std::ofstream(folder_ / "scene.json") << scene_text(
-            kBall, 0.02f, R"("radiance_maps": {"resolution": 48, "samples": 4, "light_resolution": 96})",
-            "radiance_maps");
+        std::ofstream(folder_ / "scene.json")
+            << scene_text(kBall, 0.02f, R"("radiance_maps": {"resolution": 48, "samples": 4, "light_resolution": 96})",
+                          "radiance_maps");
         engine.load_scene(folder_ / "scene.json", {});
         engine.renderer().retain({"radiance"});
         return engine.extract();
@@ -97,7 +97,8 @@ TEST_F(RadianceMapsTest, FollowWhatMovesWithItsLight) {
         moved.surfaces[0].bounds = scene.surfaces[0].bounds.transformed(move);
         followed = rendered(moving, moved, 1);
     }
-    const double gathered = compare_linear(later, followed).relative_mse, begun = compare_linear(later, first).relative_mse;
+    const double gathered = compare_linear(later, followed).relative_mse,
+                 begun = compare_linear(later, first).relative_mse;
     std::printf("relMSE to 8 frames at rest: moving %.2e, a first frame %.2e\n", gathered, begun);
     EXPECT_LT(gathered, 0.05 * begun);
 }
@@ -108,9 +109,11 @@ TEST_F(RadianceMapsTest, BeginAnewWhenTheLightChanges) {
         RenderScene scene = small_ball(old);
         rendered(old, scene, 5);
         const auto change = [&](RenderScene& changed) {
-            if (brighter) changed.lights[0].intensity *= 3.0f;
-            else changed.lights[0].transform = glm::rotate(glm::mat4(1.0f), 0.5f, glm::vec3(0, 1, 0)) *
-                                               changed.lights[0].transform;
+            if (brighter)
+                changed.lights[0].intensity *= 3.0f;
+            else
+                changed.lights[0].transform =
+                    glm::rotate(glm::mat4(1.0f), 0.5f, glm::vec3(0, 1, 0)) * changed.lights[0].transform;
         };
         change(scene);
         const Image after = rendered(old, scene, 1);

@@ -116,8 +116,7 @@ std::vector<glm::vec3> balance(const Mesh& mesh, const Optics& optics, Model mod
     }
     const Blend blend(points, std::sqrt(area / float(count)));
     parallel_for(0, scales.size(), 64, [&](size_t first, size_t last) {
-        for (size_t i = first; i < last; ++i)
-            scales[i] = blend.at(metres_of_unit * mesh.positions[i]);
+        for (size_t i = first; i < last; ++i) scales[i] = blend.at(metres_of_unit * mesh.positions[i]);
     });
     return scales;
 }

@@ -26,8 +26,8 @@ glm::vec4 row(const glm::vec3& direction, float offset) {
 MapView perspective(const glm::vec3& eye, const glm::vec3& axis, float tangent, float near) {
     const glm::mat3 frame = turn(axis);
     const auto rows = glm::mat4(row(frame[0] / tangent, -glm::dot(frame[0], eye) / tangent),
-                                row(frame[1] / tangent, -glm::dot(frame[1], eye) / tangent),
-                                glm::vec4(0, 0, 0, near), row(axis, -glm::dot(axis, eye)));
+                                row(frame[1] / tangent, -glm::dot(frame[1], eye) / tangent), glm::vec4(0, 0, 0, near),
+                                row(axis, -glm::dot(axis, eye)));
     return {glm::transpose(rows), eye, true, axis, 2.0f * tangent};
 }
 

@@ -26,8 +26,7 @@ struct LayersBlock {
 
 bool nearly_the_same(const LightMaps::Layer& a, const LightMaps::Layer& b, float radius) {
     return a.light == b.light && a.view.perspective == b.view.perspective &&
-           glm::distance(a.view.axis, b.view.axis) < 1e-4f &&
-           glm::distance(a.view.eye, b.view.eye) < 1e-4f * radius &&
+           glm::distance(a.view.axis, b.view.axis) < 1e-4f && glm::distance(a.view.eye, b.view.eye) < 1e-4f * radius &&
            std::abs(a.view.side - b.view.side) < 1e-3f * b.view.side;
 }
 
@@ -46,8 +45,8 @@ std::vector<MapView> views_of(const Light& light, const glm::mat4& body_from_wor
 }
 
 gpu::TextureDesc array_desc(gpu::Format format, int resolution, size_t layers) {
-    return {.shape = gpu::Shape::array, .format = format, .width = resolution, .height = resolution,
-            .layers = int(layers)};
+    return {
+        .shape = gpu::Shape::array, .format = format, .width = resolution, .height = resolution, .layers = int(layers)};
 }
 
 }  // namespace
@@ -59,7 +58,8 @@ bool LightMaps::fit(const RenderScene& scene, const glm::mat4& world_from_body, 
     for (size_t i = 0; i < scene.lights.size(); ++i) {
         if (scene.lights[i].intensity == glm::vec3(0.0f)) continue;
         const std::vector<MapView> views = views_of(scene.lights[i], body_from_world, body, resolution);
-        if (wanted.size() + views.size() > size_t(kMaxLayers)) ++left_out_;
+        if (wanted.size() + views.size() > size_t(kMaxLayers))
+            ++left_out_;
         else
             for (const MapView& view : views) wanted.push_back({view, i});
     }

@@ -1,7 +1,6 @@
 #include "radiance_maps/radiance_maps_pass.h"
 
 #include <epoxy/gl.h>
-#include <fmt/format.h>
 
 #include <chrono>
 #include <cmath>
@@ -12,7 +11,7 @@
 #include "htsm/pixels.h"
 #include "physics/blue_noise.h"
 #include "radiance_maps/balance.h"
-#include "render/draw_state.h"
+#include "radiance_maps/dispatch.h"
 #include "render/frame.h"
 #include "render/seams.h"
 
@@ -20,7 +19,6 @@ namespace tyndall::translucency {
 namespace {
 
 constexpr uint64_t kKeptFrames = 120;
-constexpr const char* kMarks = "radiance_map_marks";
 /// Of the light maps' texels that may change without a restart.
 constexpr float kChangedShare = 1e-3f;
 /// The widest Gaussian of a kernel reaches over an object that many pieces wide.
@@ -28,21 +26,6 @@ constexpr float kPiecesAcross = 200.0f;
 /// Texels of the next finer level within which places are of one surface, as in view_maps.cpp.
 constexpr float kSameSurface = 4.0f;
 constexpr int kGroup = 64, kRowOfGroups = 1024;
-
-void wait_for_shaders() {
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                    GL_COMMAND_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-}
-
-const gpu::Program& compute(PassContext& context, std::string_view shader, std::vector<std::string> defines = {}) {
-    const gpu::Program& program =
-        context.frame().shaders.program({.name = fmt::format("translucency.radiance_maps.{}", shader),
-                                         .compute = fmt::format("translucency/radiance_maps/{}.comp", shader),
-                                         .defines = std::move(defines)});
-    program.use();
-    bind_frame(program, context.frame());
-    return program;
-}
 
 /// The byte offset of a field of the block State.
 enum class StateGroups { gather = 16, filter = 32, next_filter = 48 };
@@ -57,10 +40,6 @@ void dispatch(const gpu::Buffer& state, StateGroups groups) {
 /// In steps of a tenth of a per mille, so that what turns stays as it is.
 float steady(float length) {
     return std::exp(std::round(1e4f * std::log(std::max(length, 1e-20f))) * 1e-4f);
-}
-
-int groups_of(int texels) {
-    return (texels + 7) / 8;
 }
 
 gpu::Texture make_blue_noise() {
@@ -173,9 +152,8 @@ void RadianceMapsPass::prepare(PassContext& context, const Seen& seen) {
     if (changed) {
         const Mesh& mesh = seen.body.drawn();
         const std::vector<glm::vec3> scales =
-            settings_.scaling == Scaling::exact
-                ? balance(mesh, object.key.optics, settings_.model, seen.metres_of_unit)
-                : std::vector<glm::vec3>(mesh.positions.size(), glm::vec3(1.0f));
+            settings_.scaling == Scaling::exact ? balance(mesh, object.key.optics, settings_.model, seen.metres_of_unit)
+                                                : std::vector<glm::vec3>(mesh.positions.size(), glm::vec3(1.0f));
         object.scales = gpu::Buffer(std::span<const glm::vec3>(scales), "translucency.maps.scales");
     }
     const RadianceMapsSettings& settings = settings_.radiance_maps;
@@ -227,11 +205,11 @@ void RadianceMapsPass::gather(PassContext& context, const Seen& seen) {
     const LightMaps& lights = seen.object.lights;
     const int groups = (int(seen.body.texel_count()) + kGroup - 1) / kGroup;
     const int size = seen.body.resolution();
-    const gpu::Program& advance = compute(context, "advance");
+    const gpu::Program& advance = use_compute(context, "advance");
     advance.block("State", seen.object.state);
     advance.set("restart", seen.object.restart ? 1 : 0);
-    advance.set("most_changed", int(kChangedShare * float(lights.resolution() * lights.resolution()) *
-                                    float(lights.layers().size())));
+    advance.set("most_changed",
+                int(kChangedShare * float(lights.resolution() * lights.resolution()) * float(lights.layers().size())));
     advance.set("frames", settings.frames);
     advance.set("gather_size", glm::ivec2(std::min(groups, kRowOfGroups), (groups + kRowOfGroups - 1) / kRowOfGroups));
     advance.set("filter_size", glm::ivec3(groups_of(size / 2), groups_of(size / 2), seen.body.views()));
@@ -239,8 +217,8 @@ void RadianceMapsPass::gather(PassContext& context, const Seen& seen) {
     glDispatchCompute(1, 1, 1);
     wait_for_shaders();
     const bool directional = settings_.model == Model::directional;
-    const gpu::Program& program =
-        compute(context, "gather", directional ? std::vector<std::string>{"DIRECTIONAL"} : std::vector<std::string>{});
+    const gpu::Program& program = use_compute(
+        context, "gather", directional ? std::vector<std::string>{"DIRECTIONAL"} : std::vector<std::string>{});
     lights.bind(program);
     seen.object.interior.bind(program);
     program.block("State", seen.object.state);
@@ -257,7 +235,7 @@ void RadianceMapsPass::gather(PassContext& context, const Seen& seen) {
 }
 
 void RadianceMapsPass::filter(PassContext& context, const Seen& seen) const {
-    const gpu::Program& program = compute(context, "filter");
+    const gpu::Program& program = use_compute(context, "filter");
     const float texel = 2.0f * seen.body.radius / float(seen.body.resolution());
     for (int level = 1; level < ViewMaps::kLevels; ++level) {
         program.texture("places", seen.body.places(), {.filter = gpu::Filter::nearest});
@@ -267,53 +245,6 @@ void RadianceMapsPass::filter(PassContext& context, const Seen& seen) const {
         program.set("same_unit", kSameSurface * std::ldexp(texel, level - 1));
         dispatch(seen.object.state, level == 1 ? StateGroups::filter : StateGroups::next_filter);
     }
-}
-
-void RadianceMapsPass::mark(PassContext& context, const Seen& seen) {
-    static const gpu::ProgramDesc kDesc{.name = "translucency.radiance_maps.mark",
-                                        .vertex = "translucency/radiance_maps/mark.vert",
-                                        .fragment = "translucency/radiance_maps/mark.frag"};
-    const std::string_view targets[] = {kMarks};
-    context.bind_targets(targets, -1);
-    Frame& frame = context.frame();
-    const gpu::Program& program = frame.shaders.program(kDesc);
-    program.use();
-    bind_frame(program, frame);
-    program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
-    program.set("world_from_body", seen.world_from_body);
-    program.set("clip_from_world", frame.block.view_projection);
-    program.set("number", seen.number);
-    glEnable(GL_CULL_FACE);
-    glFrontFace(glm::determinant(glm::mat3(seen.world_from_body)) < 0.0f ? GL_CW : GL_CCW);
-    seen.body.mesh().draw(seen.object.scales);
-    glDisable(GL_CULL_FACE);
-    glFrontFace(GL_CCW);
-}
-
-void RadianceMapsPass::combine(PassContext& context, const Seen& seen) {
-    Frame& frame = context.frame();
-    const PixelRectangle pixels = pixels_of(seen.surface.bounds, frame.block.view_projection, context.size());
-    const gpu::Program& program = compute(context, "combine");
-    frame.seams.bind(Seam::indirect_light, program, context);
-    seen.object.interior.bind(program);
-    program.block("State", seen.object.state);
-    program.block("Views", seen.body.block());
-    for (const char* target : {"scene_depth", "gbuffer_normal"})
-        program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
-    program.texture("marks", context.texture(kMarks), {.filter = gpu::Filter::nearest});
-    program.texture("places", seen.body.places(), {.filter = gpu::Filter::nearest});
-    program.texture("leaving", seen.object.leaving, {.filter = gpu::Filter::nearest});
-    program.image("light_diffuse", context.texture("light_diffuse"), 0, true);
-    program.set("view_count", seen.body.views());
-    program.set("resolution", seen.body.resolution());
-    program.set("samples", settings_.radiance_maps.samples);
-    program.set("frames", settings_.radiance_maps.frames);
-    program.set("layer_count", int(seen.object.lights.layers().size()));
-    program.set("body_from_world", glm::inverse(seen.world_from_body));
-    program.set("number", seen.number);
-    program.set("low", pixels.low);
-    glDispatchCompute(GLuint(groups_of(pixels.size.x)), GLuint(groups_of(pixels.size.y)), 1);
-    wait_for_shaders();
 }
 
 }  // namespace tyndall::translucency

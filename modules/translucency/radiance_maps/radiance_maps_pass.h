@@ -1,6 +1,6 @@
 #pragma once
-/// The technique radiance_maps: maps of the light that leaves an object, gathered over some frames from maps of what the
-/// lights see of it (Dal Corso 2014).
+/// The technique radiance_maps: maps of the light that leaves an object, gathered over some frames from maps of what
+/// the lights see of it (Dal Corso 2014).
 
 #include <map>
 #include <memory>

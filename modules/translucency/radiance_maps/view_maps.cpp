@@ -140,8 +140,7 @@ void ViewMaps::list_and_halve() {
 
 size_t ViewMaps::bytes() const {
     const size_t texels = size_t(resolution_) * size_t(resolution_) * size_t(views());
-    return mesh_.bytes() + texels * 16 * 21 / 16 +
-           4 * size_t(texels_.desc().width) * size_t(texels_.desc().height);
+    return mesh_.bytes() + texels * 16 * 21 / 16 + 4 * size_t(texels_.desc().width) * size_t(texels_.desc().height);
 }
 
 }  // namespace tyndall::translucency
