@@ -36,18 +36,34 @@ class KernelTable {
 struct Points {
     std::vector<glm::vec3> places;  ///< metres
     std::vector<float> areas;       ///< m2
-    std::vector<glm::vec3> scales;
+    std::vector<glm::vec3> normals;
+    std::vector<Balanced> balanced;
 };
 
 /// What leaves at a place of a unit of light a unit of area everywhere, not scaled there.
 glm::vec3 found_at(const glm::vec3& place, const Points& points, const KernelTable& kernel) {
     glm::vec3 sum(0.0f);
     for (size_t j = 0; j < points.places.size(); ++j)
-        sum += points.areas[j] * points.scales[j] * kernel.at(glm::distance(place, points.places[j]));
+        sum += points.areas[j] * points.balanced[j].scale * kernel.at(glm::distance(place, points.places[j]));
     return sum;
 }
 
-/// Scales between the points. (The sum at a place between them would not do: kernels are often narrower than pieces.)
+/// By the mean of the channels.
+glm::vec3 turn_at(size_t i, const Points& points, const KernelTable& kernel) {
+    glm::vec3 sum(0.0f);
+    float weights = 0.0f;
+    for (size_t j = 0; j < points.places.size(); ++j) {
+        const glm::vec3 leaves =
+            points.balanced[j].scale * kernel.at(glm::distance(points.places[i], points.places[j]));
+        const float weight = points.areas[j] * (leaves.x + leaves.y + leaves.z);
+        sum += weight * points.normals[j];
+        weights += weight;
+    }
+    return weights > 0.0f ? sum / weights - points.normals[i] : glm::vec3(0.0f);
+}
+
+/// What lies between the points. (The sum at a place between them would not do: kernels are often narrower than
+/// pieces.)
 class Blend {
  public:
     Blend(const Points& points, float spacing) : points_(points), spacing_(spacing) {
@@ -57,28 +73,30 @@ class Blend {
             balls_.emplace_back(bounds.centre(), bounds.radius());
         }
     }
-    [[nodiscard]] glm::vec3 at(const glm::vec3& place) const {
-        for (float reach = kReach * spacing_;; reach *= 4.0f) {
-            glm::vec3 sum(0.0f);
+    [[nodiscard]] Balanced at(const glm::vec3& place) const {
+        for (float reach = kReach * spacing_; reach < 1e6f * spacing_; reach *= 4.0f) {
+            Balanced sum{.scale = glm::vec3(0.0f)};
             float weights = 0.0f;
             for (size_t ball = 0; ball < balls_.size(); ++ball)
                 if (glm::distance(place, glm::vec3(balls_[ball])) < balls_[ball].w + reach)
                     add(place, ball * kTogether, reach, sum, weights);
-            if (weights > 0.0f) return sum / weights;
+            if (weights > 0.0f) return {sum.scale / weights, sum.turn / weights};
         }
+        return {};
     }
 
  private:
     static constexpr size_t kTogether = 32;  ///< points that follow one another lie together
     static constexpr float kReach = 3.0f;    ///< spacings
 
-    void add(const glm::vec3& place, size_t first, float reach, glm::vec3& sum, float& weights) const {
+    void add(const glm::vec3& place, size_t first, float reach, Balanced& sum, float& weights) const {
         for (size_t j = first; j < first + kTogether; ++j) {
             const glm::vec3 apart = points_.places[j] - place;
             const float d2 = glm::dot(apart, apart), r2 = d2 / (spacing_ * spacing_);
             const float inside = std::max(1.0f - d2 / (reach * reach), 0.0f);
             const float weight = inside * inside / (1e-3f + r2 * r2 * r2);
-            sum += weight * points_.scales[j];
+            sum.scale += weight * points_.balanced[j].scale;
+            sum.turn += weight * points_.balanced[j].turn;
             weights += weight;
         }
     }
@@ -88,37 +106,47 @@ class Blend {
     std::vector<glm::vec4> balls_;
 };
 
+/// Symmetric balancing (Knight, Ruiz & Ucar).
+void scale_evenly(Points& points, const KernelTable& kernel) {
+    for (int round = 0; round < kRounds; ++round) {
+        std::vector<Balanced> next(points.places.size());
+        parallel_for(0, next.size(), 64, [&](size_t first, size_t last) {
+            for (size_t i = first; i < last; ++i)
+                next[i].scale = glm::sqrt(points.balanced[i].scale /
+                                          glm::max(found_at(points.places[i], points, kernel), glm::vec3(1e-20f)));
+        });
+        points.balanced = std::move(next);
+    }
+}
+
 }  // namespace
 
-std::vector<glm::vec3> balance(const Mesh& mesh, const Optics& optics, Model model, float metres_of_unit) {
-    std::vector<glm::vec3> scales(mesh.positions.size(), glm::vec3(1.0f));
+std::vector<Balanced> balance(const Mesh& mesh, const Optics& optics, Model model, Scaling scaling,
+                              float metres_of_unit) {
+    std::vector<Balanced> vertices(mesh.positions.size());
     Points points;
     float area = 0.0f;
     for (const SurfacePoint& point : sample_surface(mesh, kLevels)) {
         points.places.push_back(metres_of_unit * point.position);
         points.areas.push_back(metres_of_unit * metres_of_unit * point.area);
+        points.normals.push_back(point.normal);
         area += points.areas.back();
     }
     const size_t count = points.places.size();
-    if (count == 0 || !(area > 0.0f)) return scales;
-    points.scales.assign(count, glm::vec3(1.0f));
+    if (count == 0 || !(area > 0.0f)) return vertices;
+    points.balanced.resize(count);
     const float piece = std::sqrt(area / (float(count) * std::numbers::pi_v<float>));
     const KernelTable kernel(RadialKernel(optics, model, Scaling::exact, piece),
                              1.01f * metres_of_unit * glm::length(mesh.bounds.size()));
-    for (int round = 0; round < kRounds; ++round) {
-        std::vector<glm::vec3> next(count);
-        parallel_for(0, count, 64, [&](size_t first, size_t last) {
-            for (size_t i = first; i < last; ++i)
-                next[i] = glm::sqrt(points.scales[i] /
-                                    glm::max(found_at(points.places[i], points, kernel), glm::vec3(1e-20f)));
-        });
-        points.scales = std::move(next);
-    }
-    const Blend blend(points, std::sqrt(area / float(count)));
-    parallel_for(0, scales.size(), 64, [&](size_t first, size_t last) {
-        for (size_t i = first; i < last; ++i) scales[i] = blend.at(metres_of_unit * mesh.positions[i]);
+    if (scaling == Scaling::exact) scale_evenly(points, kernel);
+    parallel_for(0, count, 64, [&](size_t first, size_t last) {
+        for (size_t i = first; i < last; ++i) points.balanced[i].turn = turn_at(i, points, kernel);
     });
-    return scales;
+    const Blend blend(points, std::sqrt(area / float(count)));
+    parallel_for(0, vertices.size(), 64, [&](size_t first, size_t last) {
+        for (size_t i = first; i < last; ++i) vertices[i] = blend.at(metres_of_unit * mesh.positions[i]);
+    });
+    return vertices;
 }
 
 }  // namespace tyndall::translucency

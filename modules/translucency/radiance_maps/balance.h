@@ -9,9 +9,18 @@
 
 namespace tyndall::translucency {
 
+/// What is known at a place of the surface.
+struct Balanced {
+    glm::vec3 scale{1.0f};  ///< what the kernel is multiplied by
+    glm::vec3 turn{0.0f};   ///< mean normal of where light that leaves here has entered, if all is lit evenly, less the
+                            ///< normal here
+};
+
 /// What the kernel is multiplied by at a mesh's vertices, at both ends of the light's way, so that every place sends
 /// out all of its light and receives as much. A kernel of flat ground alone loses what would leave beyond the body's
-/// end. Symmetric, so reciprocity stays (as shaders/points/balance.comp, on the CPU and for few points).
-[[nodiscard]] std::vector<glm::vec3> balance(const Mesh& mesh, const Optics& optics, Model model, float metres_of_unit);
+/// end. Symmetric, so reciprocity stays (as shaders/points/balance.comp, on the CPU and for few points). With the
+/// scaling `published` all scales are 1.
+[[nodiscard]] std::vector<Balanced> balance(const Mesh& mesh, const Optics& optics, Model model, Scaling scaling,
+                                            float metres_of_unit);
 
 }  // namespace tyndall::translucency

@@ -27,7 +27,7 @@ struct MapView {
 /// Face 0..5 of a cube around `eye`, for eyes near by or inside.
 [[nodiscard]] MapView cube_view(const glm::vec3& eye, int face, float radius);
 
-/// Triangles on the GPU: attribute 0 the place, 1 the normal, 2 a colour of each vertex that objects have of their own.
+/// Triangles on the GPU: attribute 0 the place, 1 the normal, 2 and 3 what objects have of their own at each vertex.
 class BodyMesh {
  public:
     explicit BodyMesh(const Mesh& mesh);
@@ -36,7 +36,7 @@ class BodyMesh {
     BodyMesh& operator=(const BodyMesh&) = delete;
 
     /// With the program in use and the state as it is.
-    void draw(const gpu::Buffer& colours) const;
+    void draw(const gpu::Buffer& own) const;
     [[nodiscard]] size_t bytes() const { return vertices_.size() + indices_.size(); }
 
  private:

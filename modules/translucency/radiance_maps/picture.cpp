@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <glm/matrix.hpp>
 
 #include "htsm/pixels.h"
@@ -31,7 +32,7 @@ void RadianceMapsPass::mark(PassContext& context, const Seen& seen) {
     static const gpu::ProgramDesc kDesc{.name = "translucency.radiance_maps.mark",
                                         .vertex = "translucency/radiance_maps/mark.vert",
                                         .fragment = "translucency/radiance_maps/mark.frag"};
-    const std::string_view targets[] = {kMarks};
+    const std::string_view targets[] = {kMarks, kTurns};
     context.bind_targets(targets, -1);
     Frame& frame = context.frame();
     const gpu::Program& program = frame.shaders.program(kDesc);
@@ -40,10 +41,12 @@ void RadianceMapsPass::mark(PassContext& context, const Seen& seen) {
     program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
     program.set("world_from_body", seen.world_from_body);
     program.set("clip_from_world", frame.block.view_projection);
+    const glm::mat3 turn(seen.world_from_body);
+    program.set("turn_to_world", turn / std::cbrt(std::abs(glm::determinant(turn))));
     program.set("number", seen.number);
     glEnable(GL_CULL_FACE);
     glFrontFace(glm::determinant(glm::mat3(seen.world_from_body)) < 0.0f ? GL_CW : GL_CCW);
-    seen.body.mesh().draw(seen.object.scales);
+    seen.body.mesh().draw(seen.object.balanced);
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
 }
@@ -59,6 +62,7 @@ void RadianceMapsPass::combine(PassContext& context, const Seen& seen) {
     for (const char* target : {"scene_depth", "gbuffer_normal"})
         program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
     program.texture("marks", context.texture(kMarks), {.filter = gpu::Filter::nearest});
+    program.texture("turns", context.texture(kTurns), {.filter = gpu::Filter::nearest});
     program.texture("places", seen.body.places(), {.filter = gpu::Filter::nearest});
     program.texture("leaving", seen.object.leaving, {.filter = gpu::Filter::nearest});
     program.image("light_diffuse", context.texture("light_diffuse"), 0, true);

@@ -64,6 +64,8 @@ void RadianceMapsPass::declare(PassDeclaration& declaration) {
         .reads("gbuffer_normal", "toward the eye")
         .writes(kMarks, {.format = gpu::Format::rgba16f, .clear = glm::vec4(0.0f)},
                 "which object is seen, by number, and what its kernel is multiplied by")
+        .writes(kTurns, {.format = gpu::Format::rgba16f},
+                "to the mean normal of where light that leaves there has entered")
         .updates("light_diffuse", "light that leaves translucent surfaces in place of what arrives there")
         .after("translucency.htsm");
 }
@@ -151,15 +153,14 @@ void RadianceMapsPass::prepare(PassContext& context, const Seen& seen) {
     const bool changed = object.interior.update(object.key);
     if (changed) {
         const Mesh& mesh = seen.body.drawn();
-        const std::vector<glm::vec3> scales =
-            settings_.scaling == Scaling::exact ? balance(mesh, object.key.optics, settings_.model, seen.metres_of_unit)
-                                                : std::vector<glm::vec3>(mesh.positions.size(), glm::vec3(1.0f));
-        object.scales = gpu::Buffer(std::span<const glm::vec3>(scales), "translucency.maps.scales");
+        const std::vector<Balanced> vertices =
+            balance(mesh, object.key.optics, settings_.model, settings_.scaling, seen.metres_of_unit);
+        object.balanced = gpu::Buffer(std::span<const Balanced>(vertices), "translucency.maps.balanced");
     }
     const RadianceMapsSettings& settings = settings_.radiance_maps;
     const bool moved =
         object.lights.fit(context.frame().scene, seen.world_from_body, seen.body, settings.light_resolution);
-    if (changed || moved) object.lights.draw(context.frame().shaders, seen.body, object.scales);
+    if (changed || moved) object.lights.draw(context.frame().shaders, seen.body, object.balanced);
     object.restart = object.restart || changed || moved || object.samples != settings.samples;
     object.samples = settings.samples;
     if (object.lights.left_out() > 0 && !object.said_left_out) {

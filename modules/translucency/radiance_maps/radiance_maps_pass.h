@@ -36,7 +36,7 @@ class RadianceMapsPass final : public Pass {
         InteriorBuffers interior;
         InteriorKey key;  ///< of the interior
         LightMaps lights;
-        gpu::Buffer scales;    ///< of the vertices
+        gpu::Buffer balanced;  ///< of the vertices
         gpu::Texture leaving;  ///< a layer a view: what leaves, and its coarser levels
         gpu::Buffer state;     ///< shaders/radiance_maps/layers.glsl
         int samples = 0;

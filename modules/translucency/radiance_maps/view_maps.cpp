@@ -92,8 +92,8 @@ void ViewMaps::draw(gpu::ShaderLibrary& shaders) {
                            "translucency.maps.places");
     const gpu::Texture depth({.format = gpu::Format::depth32f, .width = resolution_, .height = resolution_},
                              "translucency.maps.depth");
-    const std::vector<glm::vec3> white(drawn_.positions.size(), glm::vec3(1.0f));
-    const gpu::Buffer colours(std::span<const glm::vec3>(white), "translucency.maps.colours");
+    const std::vector<glm::vec3> nothing(2 * drawn_.positions.size());
+    const gpu::Buffer own(std::span<const glm::vec3>(nothing), "translucency.maps.own");
     const gpu::Program& program = shaders.program({.name = "translucency.radiance_maps.map",
                                                    .vertex = "translucency/radiance_maps/map.vert",
                                                    .fragment = "translucency/radiance_maps/map.frag"});
@@ -106,7 +106,7 @@ void ViewMaps::draw(gpu::ShaderLibrary& shaders) {
         target.clear_colour(0, glm::vec4(0.0f));
         target.clear_depth();
         program.set("clip_from_body", views_[size_t(i)].clip_from_body);
-        mesh_.draw(colours);
+        mesh_.draw(own);
     }
 }
 
