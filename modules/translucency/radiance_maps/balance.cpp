@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 #include <numbers>
 
@@ -48,18 +49,22 @@ glm::vec3 found_at(const glm::vec3& place, const Points& points, const KernelTab
     return sum;
 }
 
-/// By the mean of the channels.
-glm::vec3 turn_at(size_t i, const Points& points, const KernelTable& kernel) {
-    glm::vec3 sum(0.0f);
-    float weights = 0.0f;
+void find_normals(size_t i, const Points& points, const KernelTable& kernel, Balanced& at) {
+    glm::mat3 others(0.0f);
+    glm::vec3 all(1e-20f);
     for (size_t j = 0; j < points.places.size(); ++j) {
-        const glm::vec3 leaves =
-            points.balanced[j].scale * kernel.at(glm::distance(points.places[i], points.places[j]));
-        const float weight = points.areas[j] * (leaves.x + leaves.y + leaves.z);
-        sum += weight * points.normals[j];
-        weights += weight;
+        const glm::vec3 weight =
+            points.areas[j] * points.balanced[j].scale * kernel.at(glm::distance(points.places[i], points.places[j]));
+        all += weight;
+        if (j == i)
+            at.own = weight;
+        else
+            others += glm::outerProduct(points.normals[j], weight);
     }
-    return weights > 0.0f ? sum / weights - points.normals[i] : glm::vec3(0.0f);
+    at.own /= all;
+    for (int c = 0; c < 3; ++c) others[c] /= all[c];
+    at.others = (others[0] + others[1] + others[2]) / 3.0f;
+    for (int c = 0; c < 3; ++c) at.sizes[c] = (glm::length(others[c]) + 1e-4f) / (glm::length(at.others) + 1e-4f);
 }
 
 /// What lies between the points. (The sum at a place between them would not do: kernels are often narrower than
@@ -75,12 +80,13 @@ class Blend {
     }
     [[nodiscard]] Balanced at(const glm::vec3& place) const {
         for (float reach = kReach * spacing_; reach < 1e6f * spacing_; reach *= 4.0f) {
-            Balanced sum{.scale = glm::vec3(0.0f)};
+            Balanced sum{glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(0.0f)};
             float weights = 0.0f;
             for (size_t ball = 0; ball < balls_.size(); ++ball)
                 if (glm::distance(place, glm::vec3(balls_[ball])) < balls_[ball].w + reach)
                     add(place, ball * kTogether, reach, sum, weights);
-            if (weights > 0.0f) return {sum.scale / weights, sum.turn / weights};
+            if (weights > 0.0f)
+                return {sum.scale / weights, sum.own / weights, sum.others / weights, sum.sizes / weights};
         }
         return {};
     }
@@ -94,9 +100,11 @@ class Blend {
             const glm::vec3 apart = points_.places[j] - place;
             const float d2 = glm::dot(apart, apart), r2 = d2 / (spacing_ * spacing_);
             const float inside = std::max(1.0f - d2 / (reach * reach), 0.0f);
-            const float weight = inside * inside / (1e-3f + r2 * r2 * r2);
+            const float weight = inside * inside * std::exp(-2.0f * r2);
             sum.scale += weight * points_.balanced[j].scale;
-            sum.turn += weight * points_.balanced[j].turn;
+            sum.own += weight * points_.balanced[j].own;
+            sum.others += weight * points_.balanced[j].others;
+            sum.sizes += weight * points_.balanced[j].sizes;
             weights += weight;
         }
     }
@@ -140,7 +148,7 @@ std::vector<Balanced> balance(const Mesh& mesh, const Optics& optics, Model mode
                              1.01f * metres_of_unit * glm::length(mesh.bounds.size()));
     if (scaling == Scaling::exact) scale_evenly(points, kernel);
     parallel_for(0, count, 64, [&](size_t first, size_t last) {
-        for (size_t i = first; i < last; ++i) points.balanced[i].turn = turn_at(i, points, kernel);
+        for (size_t i = first; i < last; ++i) find_normals(i, points, kernel, points.balanced[i]);
     });
     const Blend blend(points, std::sqrt(area / float(count)));
     parallel_for(0, vertices.size(), 64, [&](size_t first, size_t last) {

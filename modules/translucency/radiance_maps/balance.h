@@ -12,8 +12,10 @@ namespace tyndall::translucency {
 /// What is known at a place of the surface.
 struct Balanced {
     glm::vec3 scale{1.0f};  ///< what the kernel is multiplied by
-    glm::vec3 turn{0.0f};   ///< mean normal of where light that leaves here has entered, if all is lit evenly, less the
-                            ///< normal here
+    // Of light that leaves here, if all is lit evenly:
+    glm::vec3 own{1.0f};     ///< share that has entered in the same piece of the surface, a channel each
+    glm::vec3 others{0.0f};  ///< sum of the normals where the rest has entered, by its share; the mean of the channels
+    glm::vec3 sizes{1.0f};   ///< of that sum for each channel, over the mean's
 };
 
 /// What the kernel is multiplied by at a mesh's vertices, at both ends of the light's way, so that every place sends

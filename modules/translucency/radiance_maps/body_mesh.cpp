@@ -70,14 +70,16 @@ BodyMesh::BodyMesh(const Mesh& mesh) : index_count_(int(mesh.indices.size())) {
     vertices_ = gpu::Buffer(std::span<const std::array<glm::vec3, 2>>(vertices), "translucency.maps.vertices");
     indices_ = gpu::Buffer(std::span<const uint32_t>(mesh.indices), "translucency.maps.indices");
     glCreateVertexArrays(1, &vertex_array_);
-    for (GLuint i = 0; i < 4; ++i) {
+    for (GLuint i = 0; i < 6; ++i) {
         glEnableVertexArrayAttrib(vertex_array_, i);
-        glVertexArrayAttribBinding(vertex_array_, i, i / 2);
+        glVertexArrayAttribBinding(vertex_array_, i, i < 2 ? 0 : 1);
     }
     glVertexArrayAttribFormat(vertex_array_, 0, 3, GL_FLOAT, GL_FALSE, 0);
     glVertexArrayAttribFormat(vertex_array_, 1, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3));
     glVertexArrayAttribFormat(vertex_array_, 2, 3, GL_FLOAT, GL_FALSE, 0);
     glVertexArrayAttribFormat(vertex_array_, 3, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3));
+    glVertexArrayAttribFormat(vertex_array_, 4, 3, GL_FLOAT, GL_FALSE, 2 * sizeof(glm::vec3));
+    glVertexArrayAttribFormat(vertex_array_, 5, 3, GL_FLOAT, GL_FALSE, 3 * sizeof(glm::vec3));
     glVertexArrayVertexBuffer(vertex_array_, 0, vertices_.name(), 0, 2 * sizeof(glm::vec3));
     glVertexArrayElementBuffer(vertex_array_, indices_.name());
 }
@@ -87,7 +89,7 @@ BodyMesh::~BodyMesh() {
 }
 
 void BodyMesh::draw(const gpu::Buffer& own) const {
-    glVertexArrayVertexBuffer(vertex_array_, 1, own.name(), 0, 2 * sizeof(glm::vec3));
+    glVertexArrayVertexBuffer(vertex_array_, 1, own.name(), 0, 4 * sizeof(glm::vec3));
     glBindVertexArray(vertex_array_);
     glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }

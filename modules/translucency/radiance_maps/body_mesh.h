@@ -27,7 +27,7 @@ struct MapView {
 /// Face 0..5 of a cube around `eye`, for eyes near by or inside.
 [[nodiscard]] MapView cube_view(const glm::vec3& eye, int face, float radius);
 
-/// Triangles on the GPU: attribute 0 the place, 1 the normal, 2 and 3 what objects have of their own at each vertex.
+/// Triangles on the GPU: attribute 0 the place, 1 the normal, 2 to 5 what objects have of their own at each vertex.
 class BodyMesh {
  public:
     explicit BodyMesh(const Mesh& mesh);

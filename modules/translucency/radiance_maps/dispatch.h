@@ -12,8 +12,8 @@ namespace tyndall::translucency {
 
 /// The target that says which object a pixel shows.
 inline constexpr const char* kMarks = "radiance_map_marks";
-/// The target with what leads from normals to the mean normal around.
-inline constexpr const char* kTurns = "radiance_map_turns";
+/// The target with the irradiance from all around.
+inline constexpr const char* kAround = "radiance_map_around";
 
 /// The program shaders/radiance_maps/SHADER.comp, in use and with the frame bound.
 const gpu::Program& use_compute(PassContext& context, std::string_view shader, std::vector<std::string> defines = {});

@@ -32,17 +32,19 @@ void RadianceMapsPass::mark(PassContext& context, const Seen& seen) {
     static const gpu::ProgramDesc kDesc{.name = "translucency.radiance_maps.mark",
                                         .vertex = "translucency/radiance_maps/mark.vert",
                                         .fragment = "translucency/radiance_maps/mark.frag"};
-    const std::string_view targets[] = {kMarks, kTurns};
+    const std::string_view targets[] = {kMarks, kAround};
     context.bind_targets(targets, -1);
     Frame& frame = context.frame();
     const gpu::Program& program = frame.shaders.program(kDesc);
     program.use();
     bind_frame(program, frame);
-    program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
+    frame.seams.bind(Seam::indirect_light, program, context);
+    for (const char* target : {"scene_depth", "gbuffer_normal"})
+        program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
     program.set("world_from_body", seen.world_from_body);
     program.set("clip_from_world", frame.block.view_projection);
     const glm::mat3 turn(seen.world_from_body);
-    program.set("turn_to_world", turn / std::cbrt(std::abs(glm::determinant(turn))));
+    program.set("normals_to_world", turn / std::cbrt(std::abs(glm::determinant(turn))));
     program.set("number", seen.number);
     glEnable(GL_CULL_FACE);
     glFrontFace(glm::determinant(glm::mat3(seen.world_from_body)) < 0.0f ? GL_CW : GL_CCW);
@@ -55,14 +57,13 @@ void RadianceMapsPass::combine(PassContext& context, const Seen& seen) {
     Frame& frame = context.frame();
     const PixelRectangle pixels = pixels_of(seen.surface.bounds, frame.block.view_projection, context.size());
     const gpu::Program& program = use_compute(context, "combine");
-    frame.seams.bind(Seam::indirect_light, program, context);
     seen.object.interior.bind(program);
     program.block("State", seen.object.state);
     program.block("Views", seen.body.block());
     for (const char* target : {"scene_depth", "gbuffer_normal"})
         program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
     program.texture("marks", context.texture(kMarks), {.filter = gpu::Filter::nearest});
-    program.texture("turns", context.texture(kTurns), {.filter = gpu::Filter::nearest});
+    program.texture("around", context.texture(kAround), {.filter = gpu::Filter::nearest});
     program.texture("places", seen.body.places(), {.filter = gpu::Filter::nearest});
     program.texture("leaving", seen.object.leaving, {.filter = gpu::Filter::nearest});
     program.image("light_diffuse", context.texture("light_diffuse"), 0, true);

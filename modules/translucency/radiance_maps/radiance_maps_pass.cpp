@@ -64,8 +64,8 @@ void RadianceMapsPass::declare(PassDeclaration& declaration) {
         .reads("gbuffer_normal", "toward the eye")
         .writes(kMarks, {.format = gpu::Format::rgba16f, .clear = glm::vec4(0.0f)},
                 "which object is seen, by number, and what its kernel is multiplied by")
-        .writes(kTurns, {.format = gpu::Format::rgba16f},
-                "to the mean normal of where light that leaves there has entered")
+        .writes(kAround, {.format = gpu::Format::rgba32f},
+                "irradiance from all around where light that leaves there has entered")
         .updates("light_diffuse", "light that leaves translucent surfaces in place of what arrives there")
         .after("translucency.htsm");
 }

@@ -92,7 +92,7 @@ void ViewMaps::draw(gpu::ShaderLibrary& shaders) {
                            "translucency.maps.places");
     const gpu::Texture depth({.format = gpu::Format::depth32f, .width = resolution_, .height = resolution_},
                              "translucency.maps.depth");
-    const std::vector<glm::vec3> nothing(2 * drawn_.positions.size());
+    const std::vector<glm::vec3> nothing(4 * drawn_.positions.size());
     const gpu::Buffer own(std::span<const glm::vec3>(nothing), "translucency.maps.own");
     const gpu::Program& program = shaders.program({.name = "translucency.radiance_maps.map",
                                                    .vertex = "translucency/radiance_maps/map.vert",

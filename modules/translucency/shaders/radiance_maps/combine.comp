@@ -7,13 +7,12 @@
 #include "render/shaders/gbuffer.glsl"
 #include "translucency/interior.glsl"
 #include "translucency/radiance_maps/layers.glsl"
-#include "seams/indirect_light.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D scene_depth;
 uniform sampler2D gbuffer_normal;
 uniform sampler2D marks;
-uniform sampler2D turns;
+uniform sampler2D around;
 uniform sampler2DArray places;
 uniform sampler2DArray leaving;
 layout(rgba32f) writeonly uniform image2D light_diffuse;
@@ -95,15 +94,6 @@ vec3 kernel_integral() {
     return sum;
 }
 
-/// Mean of the irradiance from all around where light that leaves here has entered, by the mean normal there. Exact in the
-/// part that is linear in the normal, which is most of it: the more normals differ, the shorter the mean.
-vec3 irradiance_around(vec3 place, vec3 mean_normal) {
-    float size = min(length(mean_normal), 1.0);
-    vec3 normal = mean_normal / max(length(mean_normal), 1e-6);
-    return mix(indirect_light(place, -normal, -normal, 1.0).irradiance, indirect_light(place, normal, normal, 1.0).irradiance,
-               0.5 + 0.5 * size);
-}
-
 void main() {
     ivec2 pixel = low + ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, ivec2(frame.size_time.xy)))) return;
@@ -118,9 +108,9 @@ void main() {
     leaves.rgb *= mark.rgb;
     float deep = clamp(leaves.a / max(luminance(leaves.rgb / max(mark.rgb, vec3(1e-6))), 1e-30), 0.0, 1.0);
     vec3 near = near_pattern(cosine);
-    vec3 around = irradiance_around(place, normal + texelFetch(turns, pixel, 0).xyz) * mean_entering() * mean_leaving();
-    if (interior.boundary.z == 0.0) around *= kernel_integral();
+    vec3 even = texelFetch(around, pixel, 0).rgb * mean_entering() * mean_leaving();
+    if (interior.boundary.z == 0.0) even *= kernel_integral();
     // The compose pass multiplies by the base and by what the mirror lets through, which is how light passes outward.
     vec3 scale = 1.0 / (max(interior.base_entering.rgb, vec3(1e-4)) * mean_entering());
-    imageStore(light_diffuse, pixel, vec4(scale * (mix(near, deep_pattern(cosine), deep) * leaves.rgb + near * around), 0.0));
+    imageStore(light_diffuse, pixel, vec4(scale * (mix(near, deep_pattern(cosine), deep) * leaves.rgb + near * even), 0.0));
 }
