@@ -3,6 +3,7 @@
 #include "htsm/htsm_pass.h"
 #include "module/module.h"
 #include "points/points_pass.h"
+#include "radiance_maps/radiance_maps_pass.h"
 #include "thickness/thickness_pass.h"
 #include "tsm/tsm_pass.h"
 #include "wrap/wrap_pass.h"
@@ -19,6 +20,7 @@ class Translucency final : public Module {
         registrar.pass(std::make_unique<TsmPass>(plan, settings));
         registrar.pass(std::make_unique<ThicknessPass>(plan, settings));
         registrar.pass(std::make_unique<WrapPass>(plan, settings));
+        registrar.pass(std::make_unique<RadianceMapsPass>(plan, settings));
     }
 };
 

@@ -2,6 +2,7 @@
 /// What a scene may choose of the rendering of translucent things.
 
 #include "ecs/description.h"
+#include "radiance_maps/radiance_maps_settings.h"
 #include "thickness/thickness_settings.h"
 #include "tsm/tsm_settings.h"
 
@@ -79,6 +80,7 @@ struct TranslucencySettings {
     HtsmSettings htsm;
     TsmSettings tsm;
     ThicknessSettings thickness;
+    RadianceMapsSettings radiance_maps;
 };
 
 inline void describe(StructBuilder<TranslucencySettings>& d) {
@@ -94,6 +96,7 @@ inline void describe(StructBuilder<TranslucencySettings>& d) {
     d.field("htsm", &S::htsm, "The technique htsm.");
     d.field("tsm", &S::tsm, "The technique tsm.");
     d.field("thickness", &S::thickness, "The technique thickness.");
+    d.field("radiance_maps", &S::radiance_maps, "The technique radiance_maps.");
 }
 
 }  // namespace tyndall::translucency

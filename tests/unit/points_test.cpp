@@ -3,22 +3,16 @@
 #include "points/point_cloud.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <numeric>
 
-#include "app/engine.h"
-#include "core/parallel.h"
-#include "core/paths.h"
+#include "double_loop.h"
 #include "points/detail.h"
 #include "radial_kernel.h"
-#include "renderer_fixture.h"
 #include "scene/primitives.h"
 
 namespace tyndall::translucency {
@@ -26,7 +20,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-const Optics kPotato{{680, 700, 550}, {2.4f, 9.0f, 120.0f}, 1.3f};
 const Optics kMarble{{2190, 2620, 3000}, {2.1f, 4.1f, 7.1f}, 1.5f};
 
 // Kernels
@@ -173,41 +166,17 @@ TEST(PointDetail, AnEyeThatTremblesChangesNothing) {
 // The whole: against a double loop over the mesh
 // -----------------------------------------------------------------------------------------------------------------
 
-/// Integral over a triangle of the exitance at `at`, lit along `to_light` by 1 lux: cut until pieces are small for
-/// their distance.
-glm::dvec3 over_triangle(const std::array<glm::vec3, 3>& p, const std::array<glm::vec3, 3>& n, const glm::vec3& at,
-                         const glm::vec3& to_light, double path, int depth = 0) {
-    const glm::vec3 middle = (p[0] + p[1] + p[2]) / 3.0f;
-    const double edge =
-        double(std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])}));
-    const double r = double(glm::distance(middle, at));
-    if (edge > 0.3 * std::max(r, path) && depth < 6) {
-        const std::array<glm::vec3, 3> q{0.5f * (p[0] + p[1]), 0.5f * (p[1] + p[2]), 0.5f * (p[2] + p[0])};
-        const std::array<glm::vec3, 3> m{0.5f * (n[0] + n[1]), 0.5f * (n[1] + n[2]), 0.5f * (n[2] + n[0])};
-        return over_triangle({p[0], q[0], q[2]}, {n[0], m[0], m[2]}, at, to_light, path, depth + 1) +
-               over_triangle({q[0], p[1], q[1]}, {m[0], n[1], m[1]}, at, to_light, path, depth + 1) +
-               over_triangle({q[2], q[1], p[2]}, {m[2], m[1], n[2]}, at, to_light, path, depth + 1) +
-               over_triangle({q[0], q[1], q[2]}, {m[0], m[1], m[2]}, at, to_light, path, depth + 1);
-    }
-    const float cosine = glm::dot(glm::normalize(n[0] + n[1] + n[2]), to_light);
-    if (cosine <= 0.0f) return glm::dvec3(0.0);
-    const double area = 0.5 * double(glm::length(glm::cross(p[1] - p[0], p[2] - p[0])));
-    Optics matched = kPotato;
-    matched.eta = 1.0f;
-    return area * double(cosine) * glm::dvec3(exitance(Model::better, matched, float(r)));
-}
-
-class PointsTest : public RendererTest {
+class PointsTest : public DoubleLoopTest {
  protected:
-    /// Renders a mesh of potato of about 20 mm without refraction, as the model was published, and compares blocks of
-    /// pixels with the double loop. `file` in a folder of its own, or a primitive's name.
+    /// Compares blocks of pixels with the double loop.
     void expect_the_integral(const std::string& mesh_json, float scale) {
         expect_within(mesh_json, scale, 0.2f, 0.01, 0.03);
         expect_within(mesh_json, scale, PointsSettings{}.opening, 0.015, 0.11);
     }
 
     void expect_within(const std::string& mesh_json, float scale, float opening, double mean, double block) {
-        std::ofstream(folder_ / "scene.json") << scene_text(mesh_json, scale, opening);
+        std::ofstream(folder_ / "scene.json") << scene_text(
+            mesh_json, scale, R"("points": {"pixels": 0, "opening": )" + std::to_string(opening) + "}", "points");
         Engine engine(true);
         engine.load_scene(folder_ / "scene.json", {});
         RenderScene scene = engine.extract();
@@ -215,97 +184,12 @@ class PointsTest : public RendererTest {
         engine.renderer().retain({"radiance", "scene_depth"});
         engine.renderer().render(scene, {kSize, kSize});
         EXPECT_EQ(engine.problems(), "");
-        compare(scene, picture(*engine.renderer().target("radiance")),
-                picture(*engine.renderer().target("scene_depth")), mean, block);
+        const Loop loop = double_loop(scene, picture(*engine.renderer().target("scene_depth")), {});
+        const LoopErrors errors = errors_of(picture(*engine.renderer().target("radiance")), loop);
+        EXPECT_GT(errors.pixels, 20u);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(errors.mean[c], 1.0, mean);
+        EXPECT_LT(errors.worst_block, block);
     }
-
-    static constexpr int kSize = 64, kBlock = 16, kStride = 4;
-
-    static std::string scene_text(const std::string& mesh, float scale, float opening) {
-        return R"({"tyndall": 1, "modules": ["translucency"], "render": {"image": {"antialiasing": "none"},
-          "translucency": {"model": "better", "scaling": "published", "points": {"pixels": 0, "opening": )" +
-               std::to_string(opening) + R"(}}}, "entities": [
-          {"name": "Camera", "transform": {"translation": [0, 0, 0.06], "look_at": [0, 0, 0]},
-           "camera": {"vertical_fov_deg": 24, "exposure": 1, "near_m": 0.001}},
-          {"name": "Sun", "transform": {"translation": [1, 0.4, 0.2], "look_at": [0, 0, 0]},
-           "directional_light": {"illuminance_lux": 1}},
-          {"name": "Solid", "transform": {"scale": )" +
-               std::to_string(scale) + R"(}, "mesh": {)" + mesh + R"(}, "interior": {"preset": "potato", "ior": 1}}]})";
-    }
-
-    static glm::vec3 place_of(const RenderScene& scene, int x, int y, float depth) {
-        const float t = std::tan(0.5f * scene.camera.vertical_fov), far = scene.camera.near_m / depth;
-        const glm::vec3 along((2.0f * (float(x) + 0.5f) / kSize - 1.0f) * t,
-                              (1.0f - 2.0f * (float(y) + 0.5f) / kSize) * t, -1.0f);
-        return glm::vec3(scene.camera.transform * glm::vec4(far * along, 1.0f));
-    }
-
-    static glm::dvec3 double_loop(const Surface& surface, const glm::vec3& at, const glm::vec3& to_light) {
-        const Mesh& mesh = surface.mesh->mesh;
-        glm::dvec3 sum(0.0);
-        for (size_t t = 0; t < mesh.triangle_count(); ++t) {
-            std::array<glm::vec3, 3> p, n;
-            for (size_t k = 0; k < 3; ++k) {
-                const uint32_t i = mesh.indices[3 * t + k];
-                p[k] = glm::vec3(surface.transform * glm::vec4(mesh.positions[i], 1.0f));
-                n[k] = glm::normalize(glm::mat3(surface.transform) * mesh.normals[i]);
-            }
-            sum += over_triangle(p, n, at, to_light, 1.0 / 700.0);
-        }
-        return sum / kPi;
-    }
-
-    static void compare(const RenderScene& scene, const Image& radiance, const Image& depth, double mean_limit,
-                        double block_limit) {
-        constexpr int kBlocks = kSize / kBlock;
-        std::array<glm::dvec3, size_t(kBlocks * kBlocks)> found{}, truth{};
-        std::vector<glm::ivec2> pixels;
-        for (int y = kStride / 2; y < kSize; y += kStride)
-            for (int x = kStride / 2; x < kSize; x += kStride)
-                if (depth.at(x, y, 0) > 0.0f) pixels.emplace_back(x, y);
-        std::vector<glm::dvec3> loops(pixels.size());
-        const glm::vec3 to_light(scene.lights.front().transform[2]);
-        parallel_for(0, pixels.size(), 4, [&](size_t first, size_t last) {
-            for (size_t i = first; i < last; ++i)
-                loops[i] = double_loop(scene.surfaces.front(),
-                                       place_of(scene, pixels[i].x, pixels[i].y, depth.at(pixels[i].x, pixels[i].y, 0)),
-                                       to_light);
-        });
-        glm::dvec3 all_found(0.0), all_truth(0.0);
-        for (size_t i = 0; i < pixels.size(); ++i) {
-            const auto block = size_t(pixels[i].y / kBlock * kBlocks + pixels[i].x / kBlock);
-            const glm::dvec3 value(radiance.at(pixels[i].x, pixels[i].y, 0), radiance.at(pixels[i].x, pixels[i].y, 1),
-                                   radiance.at(pixels[i].x, pixels[i].y, 2));
-            found[block] += value;
-            truth[block] += loops[i];
-            all_found += value;
-            all_truth += loops[i];
-        }
-        double worst = 0.0;
-        for (size_t b = 0; b < found.size(); ++b)
-            for (int c = 0; c < 3; ++c)
-                if (truth[b][c] > 0.02 * all_truth[c] / double(found.size()))
-                    worst = std::max(worst, std::abs(found[b][c] / truth[b][c] - 1.0));
-        const glm::dvec3 mean = all_found / all_truth;
-        std::printf("%zu pixels: mean %.4f %.4f %.4f of the double loop, worst block off by %.4f\n", pixels.size(),
-                    mean.x, mean.y, mean.z, worst);
-        EXPECT_GT(pixels.size(), 20u);
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], 1.0, mean_limit);
-        EXPECT_LT(worst, block_limit);
-    }
-
-    void SetUp() override {
-        RendererTest::SetUp();
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::temp_directory_path() /
-                  ("tyndall_" + std::string(test->name()) + "_" + std::to_string(getpid()));
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override {
-        std::filesystem::remove_all(folder_);
-        RendererTest::TearDown();
-    }
-    std::filesystem::path folder_;
 };
 
 TEST_F(PointsTest, ABallIsTheDoubleLoop) {

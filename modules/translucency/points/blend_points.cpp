@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "body_space.h"
 #include "core/parallel.h"
 #include "points/point_cloud.h"
 
@@ -104,44 +105,10 @@ PointCloud::Vertex blended(const PointCloud& cloud, const PointGrid& grid, const
     return vertex;
 }
 
-/// The drawn mesh's places and normals.
-struct Drawn {
-    std::vector<glm::vec3> positions, normals;
-    std::vector<uint32_t> indices;
-};
-
-/// Halves a triangle across its longest edge until no edge is longer than `longest`.
-void cut(std::array<uint32_t, 3> corners, float longest, Drawn& drawn) {
-    const auto edge = [&](size_t i) {
-        return glm::distance(drawn.positions[corners[i]], drawn.positions[corners[(i + 1) % 3]]);
-    };
-    size_t i = 0;
-    for (size_t other = 1; other < 3; ++other)
-        if (edge(other) > edge(i)) i = other;
-    if (edge(i) <= longest) {
-        drawn.indices.insert(drawn.indices.end(), corners.begin(), corners.end());
-        return;
-    }
-    const uint32_t a = corners[i], b = corners[(i + 1) % 3], c = corners[(i + 2) % 3];
-    const auto middle = uint32_t(drawn.positions.size());
-    drawn.positions.push_back(0.5f * (drawn.positions[a] + drawn.positions[b]));
-    drawn.normals.push_back(0.5f * (drawn.normals[a] + drawn.normals[b]));
-    cut({a, middle, c}, longest, drawn);
-    cut({middle, b, c}, longest, drawn);
-}
-
-Drawn drawn_mesh(const Mesh& mesh, float longest) {
-    Drawn drawn{mesh.positions, mesh.normals, {}};
-    if (drawn.normals.empty()) drawn.normals.resize(mesh.positions.size(), glm::vec3(0.0f));
-    for (size_t t = 0; t < mesh.triangle_count(); ++t)
-        cut({mesh.indices[3 * t], mesh.indices[3 * t + 1], mesh.indices[3 * t + 2]}, longest, drawn);
-    return drawn;
-}
-
 }  // namespace
 
 void blend_points(const Mesh& mesh, PointCloud& cloud) {
-    Drawn drawn = drawn_mesh(mesh, kLongestEdge * cloud.spacing);
+    Mesh drawn = cut_mesh(mesh, kLongestEdge * cloud.spacing);
     const PointGrid grid(cloud, mesh.bounds);
     cloud.indices = std::move(drawn.indices);
     cloud.vertices.resize(drawn.positions.size());

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "body_space.h"
 #include "core/log.h"
-#include "stretched_mesh.h"
 
 namespace tyndall::translucency {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+#include "body_space.h"
 #include "points/detail.h"
 #include "render/draw_state.h"
 #include "render/frame.h"
@@ -38,23 +38,17 @@ void dispatch(uint32_t points) {
 }
 
 glm::mat4 world_from_cloud(const Surface& surface, const GpuCloud& cloud) {
-    return surface.transform * glm::scale(glm::mat4(1.0f), 1.0f / cloud.shape);
+    return world_from_stretched(surface, cloud.shape);
 }
 
 /// Metres of a unit of the cloud's.
 float scale_of(const Surface& surface, const GpuCloud& cloud) {
-    return std::cbrt(std::abs(glm::determinant(glm::mat3(world_from_cloud(surface, cloud)))));
+    return metres_of_unit(world_from_cloud(surface, cloud));
 }
 
 /// Of a disc as large as a point's piece, metres.
 float piece_radius(const Surface& surface, const GpuCloud& cloud) {
     return std::max(cloud.spacing * scale_of(surface, cloud), 1e-9f) / std::sqrt(std::numbers::pi_v<float>);
-}
-
-/// Cofactors: they turn an area's vector as the matrix turns its sides.
-glm::mat3 area_matrix(const glm::mat4& transform) {
-    const glm::mat3 m(transform);
-    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
 
 void bind_points(const gpu::Program& program, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {

@@ -7,7 +7,7 @@
 #include "core/log.h"
 #include "render/frame.h"
 #include "render/seams.h"
-#include "stretched_mesh.h"
+#include "body_space.h"
 #include "thickness/thickness_grid.h"
 
 namespace tyndall::translucency {

@@ -25,7 +25,7 @@ uniform sampler2D node_fluxes;
 uniform sampler2D node_directions;
 #endif
 //  directions (DIRECTIONS alone): mean of the unit vectors along which light enters, refracted; w: the mean normal
-#include "translucency/points/directions.glsl"
+#include "translucency/directions.glsl"
 const uint kNodeColumns = 256u;
 ivec2 node_texel(uint node) { return ivec2(node % kNodeColumns, node / kNodeColumns); }
 

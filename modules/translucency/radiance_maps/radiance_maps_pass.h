@@ -1,0 +1,78 @@
+#pragma once
+/// The technique radiance_maps: maps of the light that leaves an object, gathered over some frames from maps of what
+/// the lights see of it (Dal Corso 2014).
+
+#include <map>
+#include <memory>
+#include <tuple>
+
+#include "interior_block.h"
+#include "radiance_maps/light_maps.h"
+#include "radiance_maps/view_maps.h"
+#include "render/frame_graph.h"
+#include "render/light_programs.h"
+#include "translucency_settings.h"
+#include "translucent_surfaces.h"
+
+namespace tyndall::translucency {
+
+class RadianceMapsPass final : public Pass {
+ public:
+    RadianceMapsPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings& settings);
+
+    [[nodiscard]] std::string_view name() const override { return "translucency.radiance_maps"; }
+    void declare(PassDeclaration& declaration) override;
+    void execute(PassContext& context) override;
+
+ private:
+    /// By mesh and how it is stretched.
+    struct Body {
+        std::unique_ptr<ViewMaps> maps;
+        glm::vec3 shape{1.0f};
+        uint64_t last_used = 0;
+    };
+    struct Object {
+        const ViewMaps* body = nullptr;
+        InteriorBuffers interior;
+        InteriorKey key;  ///< of the interior
+        LightMaps lights;
+        gpu::Buffer balanced;  ///< of the vertices
+        gpu::Texture leaving;  ///< a layer a view: what leaves, and its coarser levels
+        gpu::Buffer state;     ///< shaders/radiance_maps/layers.glsl
+        int samples = 0;
+        uint64_t last_used = 0;
+        bool restart = true;
+        bool said_left_out = false;
+    };
+    using ObjectKey = std::tuple<uint64_t, uint64_t, int>;
+
+    /// A surface to render.
+    struct Seen {
+        const Surface& surface;
+        const ViewMaps& body;
+        Object& object;
+        glm::mat4 world_from_body;
+        float metres_of_unit;
+        float number;
+    };
+
+    void render(PassContext& context, const Surface& surface, float number);
+    Body& body_of(PassContext& context, const Surface& surface);
+    Object& object_of(const Surface& surface, const ViewMaps& body);
+    void prepare(PassContext& context, const Seen& seen);
+    void enter(PassContext& context, const Seen& seen);
+    void gather(PassContext& context, const Seen& seen);
+    void filter(PassContext& context, const Seen& seen) const;
+    static void mark(PassContext& context, const Seen& seen);
+    void combine(PassContext& context, const Seen& seen);
+
+    std::shared_ptr<TechniquePlan> plan_;
+    const TranslucencySettings& settings_;
+    std::map<std::tuple<uint64_t, float, float, float>, Body> bodies_;
+    std::map<ObjectKey, Object> objects_;
+    LightPrograms enter_programs_;
+    gpu::Texture blue_noise_;
+    uint64_t frame_ = 0;
+};
+
+}  // namespace tyndall::translucency

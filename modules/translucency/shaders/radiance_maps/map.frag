@@ -1,0 +1,13 @@
+// Places and normals of what is seen, in the body's space; w: packed normal plus 1. And what the kernel is multiplied by there.
+#include "translucency/directions.glsl"
+
+in vec3 v_place;
+in vec3 v_normal;
+in vec3 v_scale;
+layout(location = 0) out vec4 place;
+layout(location = 1) out vec4 scale;
+
+void main() {
+    place = vec4(v_place, packed_normal(v_normal) + 1.0);
+    scale = vec4(v_scale, 1.0);
+}
