@@ -1,6 +1,7 @@
 // What is inside a translucent solid: InteriorBlock of interior_block.h.
 #include "physics/constants.glsl"
 #include "physics/fresnel.glsl"
+#include "physics/units.glsl"
 
 const int kLeavingCosines = 16, kKernelGaussians = 16;
 layout(std140) uniform Interior {
@@ -68,4 +69,3 @@ vec3 kernel_at(float r2) {
     return sum;
 }
 
-float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }

@@ -51,7 +51,7 @@ TsmPass::TsmPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings
 
 void TsmPass::declare(PassDeclaration& declaration) {
     declare_pixels(declaration);
-    declaration.after("translucency.htsm");
+    declaration.after("translucency.radiance_maps");
 }
 
 int TsmPass::texels() const {

@@ -29,9 +29,9 @@ vec4 march_pixel(ivec2 pixel, ivec2 noise_at) {
     vec3 direction = eye_ray(pixel_uv(pixel));
     float t0 = 0.0, t1 = pixel_metres(pixel);
     if (!clip_to_medium(medium, origin, direction, t0, t1)) return vec4(0.0);
-    float guide = luminance(media[medium].emission_even.rgb) * (t1 - t0);
+    float guide = luminance_rec709(media[medium].emission_even.rgb) * (t1 - t0);
     for (int k = 0; k < int(min(media[medium].temperature_size.x, 1.0)); ++k)
-        guide += luminance(media[medium].sigma_a.rgb * black_body_radiance(kGuideKelvin)) * (t1 - t0);
+        guide += luminance_rec709(media[medium].sigma_a.rgb * black_body_radiance(kGuideKelvin)) * (t1 - t0);
 #ifdef GUIDE_ONLY
     return vec4(vec3(0.0), guide);
 #else

@@ -33,7 +33,7 @@ vec4 march_pixel(ivec2 pixel, ivec2 noise_at) {
     float t0 = 0.0, t1 = pixel_metres(pixel);
     if (!clip_to_medium(medium, origin, direction, t0, t1)) return vec4(0.0);
     vec3 scattered = media[medium].sigma_s_phase.rgb * environment_scattered(medium, origin, direction);
-    float guide = luminance(scattered) * (t1 - t0);
+    float guide = luminance_rec709(scattered) * (t1 - t0);
 #ifdef GUIDE_ONLY
     return vec4(vec3(0.0), guide);
 #else

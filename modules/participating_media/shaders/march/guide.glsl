@@ -2,6 +2,7 @@
 // extinction. The guide is cheap and known at each pixel of the frame, and what it has in it, the inverse-square law and where
 // rays end, no filter need blur. GUIDE_ONLY: nothing but that is asked for.
 #include "participating_media/march/ray.glsl"
+#include "physics/units.glsl"
 
 uniform float least_transmittance;  // rays end where no more of the light comes to the eye
 
@@ -16,7 +17,6 @@ float step_offset(ivec2 at) {
 }
 #endif
 
-float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
 
 float least(vec3 rgb) { return min(rgb.r, min(rgb.g, rgb.b)); }
 

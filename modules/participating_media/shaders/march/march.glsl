@@ -83,7 +83,7 @@ vec3 march(Ray ray, float t0, float t1, float offset) {
 /// The light's guide (output.glsl) on this part of the ray.
 float guide_of(Ray ray, float t0, float t1) {
     const float kMeanPhase = 0.0795775;  // 1 / (4 pi): of a size with the guides of glows
-    float weight = kMeanPhase * luminance(light_data(light_index).intensity_profile.rgb) * luminance(media[medium].sigma_s_phase.rgb);
+    float weight = kMeanPhase * luminance_rec709(light_data(light_index).intensity_profile.rgb) * luminance_rec709(media[medium].sigma_s_phase.rgb);
 #if LIGHT_KIND == 2
     return weight * (t1 - t0);
 #else

@@ -39,7 +39,7 @@ vec3 share_of(ivec2 pixel, float depth) {
         plane += weight * texel;
         mean += weight * other;
         off_plane += (i == 0 || i == 3 ? 1.0 : -1.0) * other;
-        float share = luminance(texel.rgb) / max(texel.a, 1e-30);
+        float share = luminance_rec709(texel.rgb) / max(texel.a, 1e-30);
         least = min(least, share);
         most = max(most, share);
     }

@@ -16,7 +16,7 @@ void main() {
     irradiance *= light_transmittance(light_index, piece.place, piece.normal);
     float share = entering(cosine);
     vec3 leaving = irradiance * scale_at(point) * leaving_share(cosine);
-    float entered = share * luminance(irradiance);
+    float entered = share * luminance_rec709(irradiance);
     // it begins to spread where it first collides
     vec3 collides = piece.place - (to_light - cosine * piece.normal) * first_path();
     vec4 place = imageLoad(node_places, node_texel(point));
@@ -29,5 +29,5 @@ void main() {
     imageStore(node_directions, node_texel(point), direction);
 #endif
     imageStore(node_places, node_texel(point), vec4(place.xyz, place.w + entered));
-    imageStore(node_fluxes, node_texel(point), imageLoad(node_fluxes, node_texel(point)) + vec4(leaving * (share * piece.area), cosine * luminance(irradiance)));
+    imageStore(node_fluxes, node_texel(point), imageLoad(node_fluxes, node_texel(point)) + vec4(leaving * (share * piece.area), cosine * luminance_rec709(irradiance)));
 }

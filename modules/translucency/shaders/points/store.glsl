@@ -10,8 +10,8 @@ void store(uint point, vec4 found) {
     vec3 own = scale * kernel_at(dot(moved, moved));
     // Deep inside was at most what is more than ground lit evenly by this point's light would give.
     vec3 even = flux.rgb / (max(scale, vec3(1e-6)) * piece.area);
-    float here = luminance(others + own * flux.rgb);
-    float deep = clamp(1.0 - luminance(even) / max(here, 1e-30), 0.0, 1.0) * found.a / max(luminance(found.rgb), 1e-30);
+    float here = luminance_rec709(others + own * flux.rgb);
+    float deep = clamp(1.0 - luminance_rec709(even) / max(here, 1e-30), 0.0, 1.0) * found.a / max(luminance_rec709(found.rgb), 1e-30);
     float share = flux.w > 0.0 ? texelFetch(node_places, node_texel(point), 0).w / flux.w : mean_entering();
     imageStore(point_light, node_texel(2u * point), vec4(others, deep));
     imageStore(point_light, node_texel(2u * point + 1u), vec4(own * scale * piece.area * share * mean_leaving(), 0.0));

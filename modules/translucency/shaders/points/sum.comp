@@ -33,7 +33,7 @@ void main() {
     for (uint level = 1u; level <= levels; ++level) {
         count >>= 1u;
         for (uint i = 0u; i < count; ++i) {
-            float a = luminance(fluxes[2u * i]) + kLeast, b = luminance(fluxes[2u * i + 1u]) + kLeast;
+            float a = luminance_rec709(fluxes[2u * i]) + kLeast, b = luminance_rec709(fluxes[2u * i + 1u]) + kLeast;
             float share = b / (a + b);
             ivec2 texel = node_texel(level_begins[level] + n * count + i);
             fluxes[i] = fluxes[2u * i] + fluxes[2u * i + 1u];

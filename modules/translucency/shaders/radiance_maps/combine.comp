@@ -106,7 +106,7 @@ void main() {
     vec3 body_normal = normalize(mat3(body_from_world) * normal);
     vec4 leaves = layer_count > 0 ? leaving_at((body_from_world * vec4(place, 1.0)).xyz, body_normal) : vec4(0.0);
     leaves.rgb *= mark.rgb;
-    float deep = clamp(leaves.a / max(luminance(leaves.rgb / max(mark.rgb, vec3(1e-6))), 1e-30), 0.0, 1.0);
+    float deep = clamp(leaves.a / max(luminance_rec709(leaves.rgb / max(mark.rgb, vec3(1e-6))), 1e-30), 0.0, 1.0);
     vec3 near = near_pattern(cosine);
     vec3 even = texelFetch(around, pixel, 0).rgb * mean_entering() * mean_leaving();
     if (interior.boundary.z == 0.0) even *= kernel_integral();

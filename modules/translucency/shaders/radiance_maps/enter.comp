@@ -53,7 +53,7 @@ void main() {
             entry = vec4(seen.xyz - body_from_world * moved, seen.w);
         }
     }
-    note_change(texel, luminance(imageLoad(entry_fluxes, texel).rgb), luminance(flux.rgb));
+    note_change(texel, luminance_rec709(imageLoad(entry_fluxes, texel).rgb), luminance_rec709(flux.rgb));
     imageStore(entry_fluxes, texel, flux);
     imageStore(entry_places, texel, entry);
 }

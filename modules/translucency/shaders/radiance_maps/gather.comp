@@ -135,7 +135,7 @@ float even_light(int layer, ivec2 texel, vec4 entry, float below2, vec3 normal) 
     float area = texel_area(layer, entry.xyz), side2 = area * 9.0;
     vec3 ray = layers[layer].eye.w > 0.0 ? normalize(entry.xyz - layers[layer].eye.xyz) : layers[layer].axis.xyz;
     float here = max(1.0 - below2 / (side2 + 0.25 * first_path() * first_path()), 0.0);
-    return here * luminance(flux) * max(-dot(ray, normal), 0.0) / area;
+    return here * luminance_rec709(flux) * max(-dot(ray, normal), 0.0) / area;
 }
 
 /// What four samples found: flux of the entry, and where it is.
@@ -174,7 +174,7 @@ vec4 found_by_four(int layer, vec3 place, vec3 normal, Spread spread, vec4 xi, v
         kernel = directional(kernel, apart, r2[i], entries.places[i].w, entries.fluxes[i].w, normal);
 #endif
         vec3 leaves = entries.fluxes[i].rgb * kernel / density[i];
-        sum += vec4(leaves, luminance(leaves) * deep[i]);
+        sum += vec4(leaves, luminance_rec709(leaves) * deep[i]);
     }
     return sum;
 }
@@ -232,6 +232,6 @@ void main() {
         sum += gathered(layer, seen.xyz, normal, rotation, frame * uint(count), count, wide, narrow, even);
     vec4 before = frame > 0u ? imageLoad(leaving, texel) : vec4(0.0);
     vec3 mean = mix(before.rgb, sum.rgb, 1.0 / float(frame + 1u));
-    float deep = clamp(1.0 - even / max(luminance(mean), 1e-30), 0.0, 1.0) * sum.a;
+    float deep = clamp(1.0 - even / max(luminance_rec709(mean), 1e-30), 0.0, 1.0) * sum.a;
     imageStore(leaving, texel, vec4(mean, mix(before.a, deep, 1.0 / float(frame + 1u))));
 }

@@ -39,4 +39,3 @@ layout(std430) buffer State {
     uvec4 next_filter_groups;
 } state;
 
-float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }

@@ -73,7 +73,7 @@ Row row_of(Block block, int y) {
 
 /// Adds a cell whose middle is `offset` cells from the pixel, which is z metres beyond the view's middle.
 void add_cell(inout Gathered sum, Block block, vec4 light, float spread, vec2 offset, float z) {
-    float share = 1.0 / max(luminance(light.rgb), 1e-30), mean = light.a * share;
+    float share = 1.0 / max(luminance_rec709(light.rgb), 1e-30), mean = light.a * share;
     // of a near and a far surface in one cell; their middle is nowhere
     float variance = max(spread * share - mean * mean - block.slope, 0.0);
     float deeper = mean - z, wider = perspective * deeper;
@@ -82,7 +82,7 @@ void add_cell(inout Gathered sum, Block block, vec4 light, float spread, vec2 of
     vec4 kernel = kernel_of(block.level, sqrt(r2));
     vec3 exitance = light.rgb * kernel.rgb;
     sum.exitance += exitance;
-    sum.deep += luminance(exitance) * kernel.a;
+    sum.deep += luminance_rec709(exitance) * kernel.a;
     if (block.level == 0) sum.near += light.rgb * exp2(-1.44269504 * first.a * r2);
 }
 
@@ -169,8 +169,8 @@ void main() {
         own *= own_share.rgb * sharp;
         others = max(sum.exitance - first.rgb * sum.near * sharp, vec3(0.0));
     }
-    float here = luminance(others + own);
-    float deep = clamp(1.0 - luminance(even) / max(here, 1e-30), 0.0, 1.0) * sum.deep / max(luminance(sum.exitance), 1e-30);
+    float here = luminance_rec709(others + own);
+    float deep = clamp(1.0 - luminance_rec709(even) / max(here, 1e-30), 0.0, 1.0) * sum.deep / max(luminance_rec709(sum.exitance), 1e-30);
     vec3 near = near_pattern(pixel.cosine);
     vec3 exitance = mix(near, deep_pattern(pixel.cosine), deep) * others + near * own;
     if (pixel.seen) {

@@ -54,8 +54,8 @@ void main() {
         found.rgb = irradiance * (area * (1.0 - fresnel_dielectric(cosine, interior_eta()))) * leaving_share(cosine);
         // it begins to spread where it first collides
         float z = entry.w + (1.0 - cosine * cosine) * first_path() - window.w;
-        found.a = luminance(found.rgb) * z;
-        spread = luminance(found.rgb) * (z * z + variance);
+        found.a = luminance_rec709(found.rgb) * z;
+        spread = luminance_rec709(found.rgb) * (z * z + variance);
     }
     imageStore(light_spread, texel, vec4(spread));
     imageStore(light_map, texel, found);
