@@ -8,8 +8,8 @@
 
 #include "body_space.h"
 #include "core/log.h"
-#include "pixels.h"
 #include "physics/blue_noise.h"
+#include "pixels.h"
 #include "radiance_maps/balance.h"
 #include "radiance_maps/dispatch.h"
 #include "render/frame.h"
