@@ -178,7 +178,9 @@ void TsmPass::make_kernels(const Drawn& drawn, LightMap& map) const {
     key.model = settings_.model;
     key.scaling = settings_.scaling;
     key.scale = drawn.object.scale;
-    key.farthest_m = 1.5f * glm::length(drawn.surface.bounds.high - drawn.surface.bounds.low);
+    // in steps: a body or a light that turns keeps its kernels, which take longer to make than the map
+    key.farthest_m = std::exp2(
+        0.25f * std::ceil(4.0f * std::log2(1.5f * glm::length(drawn.surface.bounds.high - drawn.surface.bounds.low))));
     const float texel = map.view.width_m() / float(texels());
     const glm::vec3 extinction = key.optics.sigma_s_reduced + key.optics.sigma_a;
     const float finest = settings_.tsm.finest / std::max({extinction.x, extinction.y, extinction.z, 1e-6f});
@@ -187,7 +189,7 @@ void TsmPass::make_kernels(const Drawn& drawn, LightMap& map) const {
     const auto level_of = [&](float width) { return std::log2(std::max(width / texel, 1e-6f)); };
     const int last = std::clamp(int(std::ceil(level_of(0.5f * drawn.object.reach))), 0, all);
     map.first_level = std::clamp(int(std::floor(level_of(finest))), 0, last);
-    key.texel_m = std::ldexp(texel, map.first_level);
+    key.texel_m = std::exp2(0.125f * std::round(8.0f * std::log2(std::ldexp(texel, map.first_level))));
     key.levels = last - map.first_level + 1;
     if (map.kernel_table.name() != 0 && key == map.kernel_key) return;
     map.kernel_key = key;

@@ -1,5 +1,6 @@
 #include "wrap/wrap_pass.h"
 
+#include "core/log.h"
 #include "render/frame.h"
 #include "render/seams.h"
 
@@ -33,6 +34,9 @@ const WrapPass::Object& WrapPass::object_of(const Surface& surface) {
     Object& object = objects_[{entity, surface.mesh->id}];
     object.last_used = frame_;
     const bool reshaped = object.size.update(surface.mesh->mesh, glm::mat3(surface.transform));
+    if (reshaped && object.size.radius == 0.0f)
+        log::info("translucency: {}: a mesh that is open or flat has no size for light to go around: it is not wrapped",
+                  surface.material->name);
     const Optics optics = optics_of(*surface.interior);
     if (object.interior.update(
             {optics, settings_.model, settings_.scaling, mean_free_path(optics), object.size.radius}) ||

@@ -8,7 +8,9 @@
 void scale(uint point, vec3 found) {
     vec3 before = scale_at(point);
     vec3 sum = found + before * kernel_at(0.0) * piece_at(point).area;
-    imageStore(point_scales, node_texel(point), vec4(sqrt(before / max(sum, vec3(1e-20))), 0.0));
+    // where the model returns nothing of a channel there is nothing to scale
+    vec3 after = mix(sqrt(before / max(sum, vec3(1e-20))), vec3(1.0), lessThan(sum, vec3(1e-6)));
+    imageStore(point_scales, node_texel(point), vec4(after, 0.0));
 }
 
 void main() {

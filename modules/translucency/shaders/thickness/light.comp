@@ -22,7 +22,7 @@ void main() {
     vec3 front = light * (1.0 - share) * near_pattern(pixel.cosine);
     vec3 view = -eye_ray((vec2(pixel.at) + 0.5) / frame.size_time.xy);
     vec3 bent = normalize(to_light + lobe.x * pixel.normal + 1e-6 * view);
-    float toward_eye = pow(max(dot(view, -bent), 0.0), lobe.y);
+    float toward_eye = pow(max(dot(view, -bent), 1e-6), lobe.y);
     // a quarter: of parallel light a body receives so much a unit of its surface, if it is as round as a sphere
     float pattern = 0.25 * lobe.w * (lobe.z + (1.0 - lobe.z) * (lobe.y + 1.0) * toward_eye);
     vec3 back = around * pattern * share * deep_pattern(pixel.cosine);
