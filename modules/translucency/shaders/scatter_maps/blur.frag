@@ -33,7 +33,7 @@ void main() {
         for (int i = 0; i < kRingTaps; ++i) {
             vec4 tap = solid.taps[ring * kRingTaps + i];
             vec4 flux = textureLod(entry_flux, uv + tap.xy * uv_per_metre, ceil(map_lod(tap.z)));
-            float light = luminance(flux.rgb);
+            float light = luminance_rec709(flux.rgb);
             flux.a = flux.a / max(light, 1e-20) + view.up_depth.w;
             low = min(low, light > 0.0 ? flux.a : low);
             high = max(high, light > 0.0 ? flux.a : high);

@@ -33,5 +33,5 @@ void main() {
     // the refracted way to the same depth is shorter, and the beam wider, by the cosines (Jensen et al. 2001)
     way = vec4(travel * (cosine / bent), z);
     flux.rgb = irradiance * enters * multiple_share(cosine) * thin_scale(thickness);
-    flux.a = luminance(flux.rgb) * z;
+    flux.a = luminance_rec709(flux.rgb) * z;
 }

@@ -75,7 +75,7 @@ Leaving local(Seen seen, vec3 start) {
 #ifdef FORM_GREEN
     vec2 uv = map_uv(start);
     vec4 flux = textureLod(entry_flux, uv, 2.0);
-    float z = flux.a / max(luminance(flux.rgb), 1e-20) + view.up_depth.w;
+    float z = flux.a / max(luminance_rec709(flux.rgb), 1e-20) + view.up_depth.w;
     vec3 depth = solid.green.rgb * (max(start.z - z, 0.0) * slant(start));
 #ifdef RAMP
     vec3 left = max(vec3(1.0) - 0.5 * depth, vec3(0.0));

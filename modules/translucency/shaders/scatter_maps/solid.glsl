@@ -1,4 +1,5 @@
 // A solid as the technique knows it: ScatterBlock of scatter_maps/scatter_block.h.
+#include "physics/units.glsl"
 #include "translucency/interior.glsl"
 
 const int kSteps = 32, kCosines = 16, kRings = 6, kRingTaps = 6;
@@ -33,5 +34,3 @@ vec3 own_share(float cosine) { return by_cosine(cosine, 1.0); }
 /// What leaves toward a cosine outside over the mean: of light from near by, and from deep inside.
 vec3 near_leaves(float cosine) { return by_cosine(cosine_inside(cosine), 2.0); }
 vec3 deep_leaves(float cosine) { return by_cosine(cosine_inside(cosine), 3.0); }
-
-float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
