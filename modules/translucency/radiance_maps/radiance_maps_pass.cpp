@@ -67,7 +67,7 @@ void RadianceMapsPass::declare(PassDeclaration& declaration) {
         .writes(kAround, {.format = gpu::Format::rgba32f},
                 "irradiance from all around where light that leaves there has entered")
         .updates("light_diffuse", "light that leaves translucent surfaces in place of what arrives there")
-        .after("translucency.wrap");
+        .after("translucency.htsm");
 }
 
 void RadianceMapsPass::execute(PassContext& context) {
