@@ -76,9 +76,9 @@ struct Kernel {
           scale(from.scaling == Scaling::exact ? 1.0f / glm::max(radial.returned(), glm::vec3(1e-12f))
                                                : glm::vec3(1.0f)) {}
     [[nodiscard]] glm::vec3 at(float r) const { return scale * exitance(key.model, optics, r); }
-    [[nodiscard]] glm::vec3 within(float r) const { 
+    [[nodiscard]] glm::vec3 within(float r) const {
         return radial.share_within(r) * (key.scaling == Scaling::exact ? glm::vec3(1.0f) : radial.returned());
-     }
+    }
 };
 
 /// Where in a ring the kernel is what it is on average: of the channels together.

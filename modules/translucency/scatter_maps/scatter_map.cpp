@@ -53,9 +53,9 @@ void ScatterMap::update(PassContext& context, size_t light, const Surface& surfa
     make_textures(size);
     view_ = scatter_view(context.frame().scene.lights[light], surface, size);
     const ScatterViewBlock block{glm::vec4(view_.origin, view_.half),
-                               glm::vec4(view_.right, view_.perspective ? 1.0f : 0.0f),
-                               glm::vec4(view_.up, view_.depth),
-                               glm::vec4(view_.forward, std::log2(2.0f * view_.half_m() / static_cast<float>(size)))};
+                                 glm::vec4(view_.right, view_.perspective ? 1.0f : 0.0f),
+                                 glm::vec4(view_.up, view_.depth),
+                                 glm::vec4(view_.forward, std::log2(2.0f * view_.half_m() / static_cast<float>(size)))};
     if (view_block_.name() == 0) view_block_ = gpu::Buffer(sizeof block, nullptr, "translucency.light_view");
     view_block_.update(0, sizeof block, &block);
     draw_exits(context, surface);

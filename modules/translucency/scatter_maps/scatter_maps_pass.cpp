@@ -151,7 +151,8 @@ void ScatterMapsPass::bind_solid(const gpu::Program& program, const Object& obje
     object.phase.bind(program);
 }
 
-void ScatterMapsPass::bind_seen(const gpu::Program& program, PassContext& context, const Surface& surface, float number) {
+void ScatterMapsPass::bind_seen(const gpu::Program& program, PassContext& context, const Surface& surface,
+                                float number) {
     table_.bind(program);
     for (const char* target : {"scene_depth", "gbuffer_normal", "gbuffer_surface"})
         program.texture(target, context.texture(target), kNearest);
