@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "physics/half_space.h"
-#include "scatter_maps/scatter_view.h"
 #include "scatter_maps/scatter_block.h"
+#include "scatter_maps/scatter_view.h"
 
 namespace tyndall::translucency {
 namespace {
