@@ -4,6 +4,7 @@
 #include "module/module.h"
 #include "points/points_pass.h"
 #include "radiance_maps/radiance_maps_pass.h"
+#include "scatter_maps/scatter_maps_pass.h"
 #include "thickness/thickness_pass.h"
 #include "tsm/tsm_pass.h"
 #include "wrap/wrap_pass.h"
@@ -21,6 +22,7 @@ class Translucency final : public Module {
         registrar.pass(std::make_unique<ThicknessPass>(plan, settings));
         registrar.pass(std::make_unique<WrapPass>(plan, settings));
         registrar.pass(std::make_unique<RadianceMapsPass>(plan, settings));
+        registrar.pass(std::make_unique<ScatterMapsPass>(plan, settings));
     }
 };
 

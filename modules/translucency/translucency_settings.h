@@ -3,6 +3,7 @@
 
 #include "ecs/description.h"
 #include "radiance_maps/radiance_maps_settings.h"
+#include "scatter_maps/scatter_maps_settings.h"
 #include "thickness/thickness_settings.h"
 #include "tsm/tsm_settings.h"
 
@@ -81,6 +82,7 @@ struct TranslucencySettings {
     TsmSettings tsm;
     ThicknessSettings thickness;
     RadianceMapsSettings radiance_maps;
+    ScatterMapsSettings scatter_maps;
 };
 
 inline void describe(StructBuilder<TranslucencySettings>& d) {
@@ -97,6 +99,7 @@ inline void describe(StructBuilder<TranslucencySettings>& d) {
     d.field("tsm", &S::tsm, "The technique tsm.");
     d.field("thickness", &S::thickness, "The technique thickness.");
     d.field("radiance_maps", &S::radiance_maps, "The technique radiance_maps.");
+    d.field("scatter_maps", &S::scatter_maps, "The technique scatter_maps.");
 }
 
 }  // namespace tyndall::translucency

@@ -9,7 +9,8 @@
 namespace tyndall::translucency {
 
 const std::vector<std::string>& technique_names() {
-    static const std::vector<std::string> kNames{"plain", "points", "htsm", "radiance_maps", "tsm", "thickness", "wrap"};
+    static const std::vector<std::string> kNames{"plain", "points",    "htsm", "radiance_maps",
+                                                 "tsm",   "thickness", "wrap", "scatter_maps"};
     return kNames;
 }
 

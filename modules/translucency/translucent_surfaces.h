@@ -14,7 +14,7 @@
 
 namespace tyndall::translucency {
 
-enum class Technique { plain, points, htsm, radiance_maps, tsm, thickness, wrap };
+enum class Technique { plain, points, htsm, radiance_maps, tsm, thickness, wrap, scatter_maps };
 /// Names of the techniques as scenes have them, without "auto".
 [[nodiscard]] const std::vector<std::string>& technique_names();
 

@@ -8,6 +8,7 @@
 #include "htsm/htsm_pass.h"
 #include "htsm/object_grid.h"
 #include "htsm/solid.h"
+#include "phase_table.h"
 #include "pixels.h"
 #include "scene/primitives.h"
 

@@ -62,7 +62,9 @@ void HtsmPass::execute(PassContext& context) {
 
 HtsmPass::Object& HtsmPass::object_of(const Surface& surface) {
     const uint64_t entity = uint64_t(surface.entity.index) << 32u | surface.entity.generation;
-    Object& object = objects_[{entity, surface.mesh->id}];
+    ObjectKey key{entity, surface.mesh->id, 0};
+    while (objects_[key].last_used == frame_) ++std::get<2>(key);
+    Object& object = objects_[key];
     object.last_used = frame_;
     return object;
 }

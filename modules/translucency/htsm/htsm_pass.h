@@ -4,7 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "htsm/solid.h"
@@ -50,7 +50,8 @@ class HtsmPass final : public Pass {
         uint64_t last_used = 0;
         bool unshadowed = false;  ///< by some light, and that has been said
     };
-    using ObjectKey = std::pair<uint64_t, uint64_t>;  ///< entity and mesh
+    /// Entity, mesh, and how many of both came before in the frame.
+    using ObjectKey = std::tuple<uint64_t, uint64_t, int>;
 
     [[nodiscard]] Variant variant_of(const Surface& surface) const;
     Object& object_of(const Surface& surface);

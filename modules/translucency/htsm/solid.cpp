@@ -4,13 +4,11 @@
 #include <cmath>
 
 #include "core/log.h"
-#include "physics/physics.h"
 #include "scene/scattering_components.h"
 
 namespace tyndall::translucency {
 namespace {
 
-constexpr int kPhaseColumns = 1024;  ///< as in shaders/htsm/object.glsl
 /// Of the lines through a mesh, so many may be open before it is said: scans have small holes.
 constexpr float kOpen = 0.01f;
 
@@ -20,10 +18,6 @@ void upload(const glm::ivec3& size, const std::vector<float>& values, gpu::Textu
     if (texture.name() == 0 || texture.desc() != desc) texture = gpu::Texture(desc, label);
     const size_t slice = size_t(size.x) * size_t(size.y);
     for (int z = 0; z < size.z; ++z) texture.upload(0, z, &values[size_t(z) * slice]);
-}
-
-bool same_phase(const PhaseFunction& a, const PhaseFunction& b) {
-    return a.kind == b.kind && a.parameters == b.parameters && a.table == b.table;
 }
 
 }  // namespace
@@ -36,23 +30,6 @@ glm::vec4 transport_of(const ScatteringInterior& interior, float longest, float 
     return {glm::exp(-decay * distance), distance};
 }
 
-std::vector<glm::vec4> phase_row(const PhaseFunction& phase, int columns) {
-    std::vector<glm::vec4> row(static_cast<size_t>(columns));
-    for (size_t i = 0; i < row.size(); ++i) {
-        const float share = static_cast<float>(i) / static_cast<float>(columns - 1);
-        if (phase.kind == PhaseKind::tabulated && phase.table) {
-            const std::vector<glm::vec3>& values = phase.table->values;
-            const float at = share * static_cast<float>(values.size() - 1);
-            const size_t low = std::min(static_cast<size_t>(at), values.size() - 2);
-            row[i] = glm::vec4(glm::mix(values[low], values[low + 1], at - static_cast<float>(low)), 0.0f);
-        } else {
-            row[i] = glm::vec4(physics::phase_evaluate(static_cast<int>(phase.kind), phase.parameters,
-                                                       std::cos(physics::kPi * share)));
-        }
-    }
-    return row;
-}
-
 bool Solid::update(const Surface& surface, double time_s, const HtsmSettings& settings) {
     const bool new_grid = surface.mesh->id != mesh_ || settings.resolution != resolution_;
     if (new_grid) make_grid(surface, settings.resolution);
@@ -61,7 +38,7 @@ bool Solid::update(const Surface& surface, double time_s, const HtsmSettings& se
     if (new_grid || !same_density(density, density_) ||
         (moves_with_world(density) && (surface.transform != transform_ || time_s != time_s_)))
         make_density(surface, time_s);
-    if (!phase_ || !same_phase(*phase_, surface.interior->phase)) make_phase(surface.interior->phase);
+    phase_.update(surface.interior->phase);
     make_block(surface, settings.transport_distance_m);
     return radius_m_ > 0.0f;
 }
@@ -96,16 +73,6 @@ void Solid::make_density(const Surface& surface, double time_s) {
     upload(grid_.size, marched, densities_, "translucency.density");
 }
 
-void Solid::make_phase(const PhaseFunction& phase) {
-    phase_ = phase;
-    const std::vector<glm::vec4> row = phase_row(phase, kPhaseColumns);
-    if (phase_table_.name() == 0)
-        phase_table_ = gpu::Texture({.format = gpu::Format::rgba32f, .width = kPhaseColumns}, "translucency.phase");
-    phase_table_.upload(0, 0, row.data());
-    most_phase_ = glm::vec4(1e-6f);
-    for (const glm::vec4& value : row) most_phase_ = glm::max(most_phase_, value);
-}
-
 void Solid::make_block(const Surface& surface, float transport_distance) {
     const ScatteringInterior& interior = *surface.interior;
     const glm::mat4 world_from_unit = surface.transform * glm::inverse(grid_.to_unit_box());
@@ -130,7 +97,7 @@ void Solid::make_block(const Surface& surface, float transport_distance) {
     block.voxel_cast.x = std::cbrt(voxel.x * voxel.y * voxel.z);
     block.voxel_cast.y = surface.casts_shadow ? 1.0f : 0.0f;
     block.transport = transport_of(interior, 2.0f * radius_m_, transport_distance);
-    block.most_phase = most_phase_;
+    block.most_phase = phase_.most();
     if (buffer_.name() == 0) buffer_ = gpu::Buffer(sizeof block, nullptr, "translucency.solid");
     buffer_.update(0, sizeof block, &block);
     block_ = block;
@@ -140,7 +107,7 @@ void Solid::bind(const gpu::Program& program) const {
     program.block("Solid", buffer_);
     program.texture("solid_density", densities_, {.filter = gpu::Filter::linear});
     program.texture("solid_inside", inside_, {.filter = gpu::Filter::linear});
-    program.texture("phase_table", phase_table_, {.filter = gpu::Filter::linear});
+    phase_.bind(program);
 }
 
 }  // namespace tyndall::translucency

@@ -6,6 +6,7 @@
 
 #include "gpu/gpu.h"
 #include "htsm/object_grid.h"
+#include "phase_table.h"
 #include "scene/render_scene.h"
 #include "translucency_settings.h"
 
@@ -26,9 +27,6 @@ struct SolidBlock {
 /// `chosen` above 0 is the distance.
 [[nodiscard]] glm::vec4 transport_of(const ScatteringInterior& interior, float longest, float chosen = 0.0f);
 
-/// Values of a phase function over the scattering angle, the first forward, 1/sr.
-[[nodiscard]] std::vector<glm::vec4> phase_row(const PhaseFunction& phase, int columns);
-
 /// What an object is looked up in. Made anew in parts, when what they are made from changes.
 class Solid {
  public:
@@ -45,7 +43,6 @@ class Solid {
  private:
     void make_grid(const Surface& surface, int resolution);
     void make_density(const Surface& surface, double time_s);
-    void make_phase(const PhaseFunction& phase);
     void make_block(const Surface& surface, float transport_distance);
 
     ObjectGrid grid_;
@@ -54,13 +51,12 @@ class Solid {
     DensityField density_;
     glm::mat4 transform_{0.0f};
     double time_s_ = 0.0;
-    std::optional<PhaseFunction> phase_;
-    glm::vec4 most_phase_{0.0f};
+    PhaseTexture phase_;
     SolidBlock block_{};
     float radius_m_ = 0.0f;
     bool flat_ = false;  ///< and that has been said
     uint64_t version_ = 0;
-    gpu::Texture inside_, densities_, phase_table_;
+    gpu::Texture inside_, densities_;
     gpu::Buffer buffer_;
 };
 

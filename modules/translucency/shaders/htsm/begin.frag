@@ -1,7 +1,8 @@
 // Takes the irradiance of a solid's pixels away and begins with light from all around: what passes straight, and what
 // scatters once. Of the latter a thick solid in even light returns 2/3 (1 - ln 2) of the albedo, and a thin one as much
 // as it scatters.
-#include "translucency/htsm/seen.glsl"
+#include "translucency/htsm/object.glsl"
+#include "translucency/seen.glsl"
 #include "seams/indirect_light.glsl"
 
 layout(location = 0, index = 0) out vec4 gathered;
@@ -20,7 +21,7 @@ float scale_inside() {
 
 void main() {
     Seen seen;
-    if (!seen_here(seen)) discard;
+    if (!seen_here(solid.scattering_eta.w, seen)) discard;
     vec3 unit = unit_at(seen.place), direction = unit_direction(seen.inward);
     float whole = density_along(unit, direction, way_out(unit, direction), STEPS);
     vec3 irradiance = indirect_light(seen.place, seen.normal, seen.normal, 1.0).irradiance;

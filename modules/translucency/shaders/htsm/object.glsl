@@ -4,6 +4,7 @@
 // for both sides of branches and for loops that it does not know the length of.
 #include "physics/constants.glsl"
 #include "physics/fresnel.glsl"
+#include "translucency/phase_table.glsl"
 
 layout(std140) uniform Solid {
     mat4 unit_from_world;   // to [0, 1]^3 over the grid
@@ -17,16 +18,9 @@ layout(std140) uniform Solid {
 
 uniform sampler3D solid_density;  // 0 outside
 uniform sampler3D solid_inside;   // share of a voxel
-uniform sampler2D phase_table;    // 1/sr over the scattering angle
 
-const float kPhaseColumns = 1024.0;
 /// Where so much of a voxel is inside, the light of a map's border is the solid's own (kInsideAll of object_grid.h).
 const float kInsideAll = 0.5;
-
-vec3 phase_at(float u) {
-    float column = acos(clamp(u, -1.0, 1.0)) * (kInversePi * (kPhaseColumns - 1.0)) + 0.5;
-    return textureLod(phase_table, vec2(column / kPhaseColumns, 0.5), 0.0).rgb;
-}
 
 vec3 unit_at(vec3 p) { return (solid.unit_from_world * vec4(p, 1.0)).xyz; }
 vec3 unit_direction(vec3 d) { return mat3(solid.unit_from_world) * d; }

@@ -3,7 +3,8 @@
 // Along the eye's refracted ray as many places as there are rays are chosen, each standing for the same share of what
 // the density lets through; from each a ray goes on to where the light entered (the shadow map). Both parts march the
 // density; with OF_VOXELS the second has been, from every voxel (arrive.comp). The sum is the integral of single scattering: exp(-optical depth of both parts) sigma_s p E.
-#include "translucency/htsm/seen.glsl"
+#include "translucency/htsm/object.glsl"
+#include "translucency/seen.glsl"
 #include "render/shaders/lights.glsl"
 #ifdef OF_VOXELS
 #include "translucency/htsm/voxels.glsl"
@@ -20,7 +21,7 @@ void main() {
     Seen seen;
     gathered = vec4(0.0);
     kept = vec4(vec3(keeps), 1.0);
-    if (!seen_here(seen)) discard;
+    if (!seen_here(solid.scattering_eta.w, seen)) discard;
     vec3 unit = unit_at(seen.place), direction = unit_direction(seen.inward);
     float length_m = way_out(unit, direction);
     float whole = density_along(unit, direction, length_m, STEPS);

@@ -3,7 +3,8 @@
 //
 // He does not say on what scale f and E are. Here E is what enters and is not returned by the surface, and f is at most
 // 1 / 4 pi: then no more leaves a ball than has entered it, however clear it is.
-#include "translucency/htsm/seen.glsl"
+#include "translucency/htsm/object.glsl"
+#include "translucency/seen.glsl"
 #include "translucency/htsm/entry.glsl"
 
 uniform int rays;
@@ -23,7 +24,7 @@ void main() {
     Seen seen;
     gathered = vec4(0.0);
     kept = vec4(1.0);  // his formula adds to what the surface itself returns
-    if (!seen_here(seen)) discard;
+    if (!seen_here(solid.scattering_eta.w, seen)) discard;
     vec3 right = light_data(light_index).right_cos_outer.xyz, up = light_data(light_index).up_cos_inner.xyz;
     float voxel = solid.voxel_cast.x, farthest = solid.transport.w;
     vec3 start = unit_at(seen.place);

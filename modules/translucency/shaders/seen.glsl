@@ -1,8 +1,8 @@
-// The pixels where the solid is seen.
+// The pixels where a solid is seen, and how light leaves it there. BENDS is defined where the boundary refracts.
+#include "physics/fresnel.glsl"
 #include "render/shaders/frame.glsl"
 #include "render/shaders/gbuffer.glsl"
 #include "render/shaders/specular_table.glsl"
-#include "translucency/htsm/object.glsl"
 
 uniform sampler2D scene_depth;
 uniform sampler2D gbuffer_normal;
@@ -20,15 +20,15 @@ struct Seen {
     vec3 scale;    // irradiance that makes the compose pass give this radiance
 };
 
-/// False where it is not.
-bool seen_here(out Seen seen) {
+/// False where it is not. `eta` is the index of refraction.
+bool seen_here(float eta, out Seen seen) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     if (texelFetch(gbuffer_surface, pixel, 0).x != number) return false;
     float depth = texelFetch(scene_depth, pixel, 0).x;
     LitPoint point = decode_lit_point(texelFetch(gbuffer_normal, pixel, 0));
     vec2 uv = gl_FragCoord.xy / frame.size_time.xy;
     vec3 ray = eye_ray(uv);
-    float cosine = standard_nov(point.normal, -ray), eta = solid.scattering_eta.w;
+    float cosine = standard_nov(point.normal, -ray);
     seen.place = world_from_depth(uv, depth);
     seen.normal = point.normal;
     seen.inward = ray;
