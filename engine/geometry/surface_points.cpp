@@ -25,6 +25,12 @@ float axis_of(const Fragment& fragment, int axis, float normal_scale) {
     return axis < 3 ? fragment.position[axis] : normal_scale * fragment.normal[axis - 3];
 }
 
+/// Nothing where there is no direction, which sorts like any other; not a number would not.
+glm::vec3 unit_or_none(const glm::vec3& v) {
+    const float length = glm::length(v);
+    return length > 0.0f && std::isfinite(length) ? v / length : glm::vec3(0.0f);
+}
+
 double area_of(const Mesh& mesh, size_t triangle) {
     const std::uint32_t* i = &mesh.indices[3 * triangle];
     const glm::vec3 &a = mesh.positions[i[0]], &b = mesh.positions[i[1]], &c = mesh.positions[i[2]];
@@ -42,7 +48,7 @@ void cut(const Mesh& mesh, size_t triangle, double area, int k, std::vector<Frag
         const glm::vec3 at = (1.0f - u - v) * p[0] + u * p[1] + v * p[2];
         glm::vec3 normal = (1.0f - u - v) * n[0] + u * n[1] + v * n[2];
         if (!(glm::dot(normal, normal) > 0.0f)) normal = face;
-        fragments.push_back({at, glm::normalize(normal), float(area / (double(k) * double(k)))});
+        fragments.push_back({at, unit_or_none(normal), float(area / (double(k) * double(k)))});
     };
     const float step = 1.0f / float(k), third = step / 3.0f;
     for (int y = 0; y < k; ++y)
@@ -56,7 +62,7 @@ std::vector<Fragment> fragments_of(const Mesh& mesh, double largest) {
     std::vector<Fragment> fragments;
     for (size_t t = 0; t < mesh.triangle_count(); ++t) {
         const double area = area_of(mesh, t);
-        if (!(area > 0.0)) continue;
+        if (!(area > 0.0) || !std::isfinite(area)) continue;
         cut(mesh, t, area, int(std::ceil(std::sqrt(std::max(area / largest, 1.0)))), fragments);
     }
     return fragments;

@@ -89,12 +89,17 @@ glm::vec3 SurfaceDensity::sent_out(const RadialKernel& kernel) const {
     return sum;
 }
 
-bool BodySize::update(const Mesh& mesh, const glm::mat3& world_from_local) {
+bool BodyShape::update(const glm::mat3& world_from_local) {
     const glm::mat3 metric = glm::transpose(world_from_local) * world_from_local;
     const glm::mat3 change = metric - metric_;
     const auto size = [](const glm::mat3& m) { return glm::length(m[0]) + glm::length(m[1]) + glm::length(m[2]); };
     if (size(change) <= 2e-3f * size(metric)) return false;
     metric_ = metric;
+    return true;
+}
+
+bool BodySize::update(const Mesh& mesh, const glm::mat3& world_from_local) {
+    if (!shape_.update(world_from_local)) return false;
     radius = body_radius(mesh, world_from_local);
     surface = SurfaceDensity(mesh, world_from_local);
     return true;

@@ -30,7 +30,16 @@ class SurfaceDensity {
     std::array<float, kRings> density_{};
 };
 
-/// What is known of a body's size until its shape changes; turning does not change it.
+/// Tells whether a placed mesh has another shape than before; turning does not change it.
+class BodyShape {
+ public:
+    bool update(const glm::mat3& world_from_local);
+
+ private:
+    glm::mat3 metric_{0.0f};
+};
+
+/// What is known of a body's size until its shape changes.
 struct BodySize {
     float radius = 0.0f;  ///< body_radius
     SurfaceDensity surface;
@@ -39,7 +48,7 @@ struct BodySize {
     bool update(const Mesh& mesh, const glm::mat3& world_from_local);
 
  private:
-    glm::mat3 metric_{0.0f};
+    BodyShape shape_;
 };
 
 }  // namespace tyndall::translucency

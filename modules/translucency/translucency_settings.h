@@ -18,6 +18,7 @@ enum class Scaling { exact, published };
 struct PointsSettings {
     int32_t levels = 15;
     float pixels = 4.0f;
+    int32_t most = 131072;
     float opening = 0.5f;
 };
 
@@ -28,6 +29,8 @@ inline void describe(StructBuilder<PointsSettings>& d) {
             "No points closer together than so many pixels: far objects have fewer; 0: all have as many as levels "
             "says.")
         .range(0.0, 64.0);
+    d.field("most", &PointsSettings::most, "Points of all objects in view together; beyond that all have fewer.")
+        .range(1024, 16777216);
     d.field("opening", &PointsSettings::opening,
             "Radius of a group over its distance, up to which it counts as one: less is slower and nearer to the full "
             "sum; 0 is the full sum.")

@@ -153,6 +153,8 @@ TEST(PointDetail, FarThingsHaveFewerPoints) {
     EXPECT_EQ(levels_for(4000.0f, 0, 15), 12);
     EXPECT_EQ(levels_for(10.0f, 0, 15), levels_for(1.0f, 0, 15)) << "some are always there";
     EXPECT_EQ(levels_for(4000.0f, 0, 10), 10);
+    EXPECT_EQ(levels_for(std::nanf(""), 0, 15), levels_for(0.0f, 0, 15)) << "what has no size is worth the fewest";
+    EXPECT_EQ(levels_for(4000.0f, 0, 6), 6);
 }
 
 TEST(PointDetail, AnEyeThatTremblesChangesNothing) {

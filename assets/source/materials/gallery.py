@@ -19,7 +19,7 @@ HEAD = """# Materials
 
 What an [`interior`](components.md#interior) can be by its preset: the 47 materials that Jensen et al. 2001 and Narasimhan et al. 2006 measured, and two estimates.
 Each is shown as a torus 5 cm wide behind a rough boundary, lit from behind at the left by a disc 30 degrees wide and by a grey sky: left as `tyndall trace` finds it (its noise filtered by a median of 3x3 pixels), right as
-[`points`](../modules/translucency/README.md) renders it in real time. Drinks are as clear as they are in a glass; what passes through them straight, refracted, is not in the right picture.
+[translucency](../modules/translucency/README.md) renders it in real time by what `auto` takes: `points`, or `htsm` where most light is scattered once, as in many drinks.
 
 Scattering is reduced, so what it is without `g` is larger by 1 / (1 - g). Made by `assets/source/materials/gallery.py`.
 
@@ -44,7 +44,7 @@ def scene(preset):
             {"name": "Solid",
              "transform": {"scale": 0.694, "rotation": [0.686103, 0.171065, -0.171065, 0.686103]},
              "mesh": {"file": "assets:subjects/torus.ply"},
-             "interior": {"preset": preset, "roughness": 0.6, "technique": "points"}},
+             "interior": {"preset": preset, "roughness": 0.6}},
         ],
     }
 

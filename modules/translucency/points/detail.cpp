@@ -22,7 +22,9 @@ float points_worth(const Surface& surface, float area, const FrameBlock& frame, 
 }
 
 int levels_for(float points, int before, int most) {
-    const float wanted = std::clamp(std::log2(points), float(kFewestLevels), float(most));
+    // at least 1: what is worth nothing, or not a number, has the fewest
+    const float known = points >= 1.0f ? points : 1.0f;
+    const float wanted = std::clamp(std::log2(known), float(std::min(kFewestLevels, most)), float(most));
     const bool stays = before > 0 && before <= most && wanted < float(before) + 0.5f && wanted > float(before) - 1.5f;
     return stays ? before : int(std::ceil(wanted));
 }

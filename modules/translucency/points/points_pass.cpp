@@ -37,6 +37,11 @@ void dispatch(uint32_t points) {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
+bool has_volume(const Surface& surface) {
+    const float volume = std::abs(glm::determinant(glm::mat3(surface.transform)));
+    return volume > 0.0f && std::isfinite(volume);
+}
+
 glm::mat4 world_from_cloud(const Surface& surface, const GpuCloud& cloud) {
     return world_from_stretched(surface, cloud.shape);
 }
@@ -101,19 +106,32 @@ void PointsPass::execute(PassContext& context) {
     ++frame_;
     const RenderScene& scene = context.frame().scene;
     const Frustum frustum(context.frame().block.view_projection);
+    std::vector<const Surface*> seen;
     if (settings_.enabled)
         for (const size_t index : plan_->surfaces(scene, Technique::points))
-            if (frustum.touches(scene.surfaces[index].bounds)) render(context, scene.surfaces[index]);
+            if (has_volume(scene.surfaces[index]) && frustum.touches(scene.surfaces[index].bounds))
+                seen.push_back(&scene.surfaces[index]);
+    const float share = share_of_budget(context, seen);
+    for (const Surface* surface : seen) render(context, *surface, share);
     forget_unused();
 }
 
-void PointsPass::render(PassContext& context, const Surface& surface) {
-    const float volume = std::abs(glm::determinant(glm::mat3(surface.transform)));
-    if (!(volume > 0.0f) || !std::isfinite(volume)) return;
+float PointsPass::points_for(PassContext& context, const Surface& surface) {
+    return points_worth(surface, clouds_.area(surface), context.frame().block, settings_.points.pixels);
+}
+
+float PointsPass::share_of_budget(PassContext& context, const std::vector<const Surface*>& seen) {
+    float all = 0.0f;
+    const float most = std::ldexp(1.0f, settings_.points.levels);
+    for (const Surface* surface : seen) all += std::min(points_for(context, *surface), most);
+    return std::min(1.0f, float(settings_.points.most) / std::max(all, 1.0f));
+}
+
+void PointsPass::render(PassContext& context, const Surface& surface, float share) {
     Object& object = object_of(surface);
     const PointsSettings& wanted = settings_.points;
-    const float points = points_worth(surface, clouds_.area(surface), context.frame().block, wanted.pixels);
-    object.levels = levels_for(points, object.levels, wanted.levels);
+    const float points = std::min(points_for(context, surface), std::ldexp(1.0f, wanted.levels));
+    object.levels = levels_for(share * points, object.levels, wanted.levels);
     const GpuCloud& cloud = clouds_.cloud(surface, object.levels, wanted.opening);
     if (cloud.points == 0) return;
     prepare(object, surface, cloud);

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <vector>
 
 #include "points/cloud_store.h"
 #include "render/frame_graph.h"
@@ -39,7 +40,11 @@ class PointsPass final : public Pass {
     [[nodiscard]] bool directional() const;
     Object& object_of(const Surface& surface);
     void prepare(Object& object, const Surface& surface, const GpuCloud& cloud) const;
-    void render(PassContext& context, const Surface& surface);
+    /// How many points a surface is worth by its size on screen; infinite where that does not count.
+    float points_for(PassContext& context, const Surface& surface);
+    /// What part of them all surfaces get.
+    float share_of_budget(PassContext& context, const std::vector<const Surface*>& seen);
+    void render(PassContext& context, const Surface& surface, float share);
     void forget_unused();
     void balance(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
     void light(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "body_space.h"
 #include "core/log.h"
 #include "render/frame.h"
 #include "render/seams.h"
-#include "body_space.h"
 #include "thickness/thickness_grid.h"
 
 namespace tyndall::translucency {
