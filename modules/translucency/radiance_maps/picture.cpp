@@ -28,6 +28,13 @@ void wait_for_shaders() {
                     GL_COMMAND_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
+void RadianceMapsPass::clear_marks(PassContext& context) {
+    constexpr float kNothing[4] = {};
+    const std::string_view targets[] = {kMarks};
+    context.bind_targets(targets, -1);
+    glClearBufferfv(GL_COLOR, 0, kNothing);
+}
+
 void RadianceMapsPass::mark(PassContext& context, const Seen& seen) {
     static const gpu::ProgramDesc kDesc{.name = "translucency.radiance_maps.mark",
                                         .vertex = "translucency/radiance_maps/mark.vert",

@@ -62,7 +62,7 @@ void RadianceMapsPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::diffusion)
         .reads("scene_depth", "where the surfaces are seen")
         .reads("gbuffer_normal", "toward the eye")
-        .writes(kMarks, {.format = gpu::Format::rgba16f, .clear = glm::vec4(0.0f)},
+        .writes(kMarks, {.format = gpu::Format::rgba16f},
                 "which object is seen, by number, and what its kernel is multiplied by")
         .writes(kAround, {.format = gpu::Format::rgba32f},
                 "irradiance from all around where light that leaves there has entered")
@@ -73,15 +73,16 @@ void RadianceMapsPass::declare(PassDeclaration& declaration) {
 void RadianceMapsPass::execute(PassContext& context) {
     ++frame_;
     float number = 0.0f;
+    bool cleared = false;  // the marks: where no object is seen nothing need be
     if (settings_.enabled)
         for (const size_t index : plan_->surfaces(context.frame().scene, Technique::radiance_maps))
-            render(context, context.frame().scene.surfaces[index], number += 1.0f);
+            render(context, context.frame().scene.surfaces[index], number += 1.0f, cleared);
     const auto old = [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; };
     std::erase_if(objects_, old);
     std::erase_if(bodies_, old);
 }
 
-void RadianceMapsPass::render(PassContext& context, const Surface& surface, float number) {
+void RadianceMapsPass::render(PassContext& context, const Surface& surface, float number, bool& cleared) {
     const float volume = std::abs(glm::determinant(glm::mat3(surface.transform)));
     if (!(volume > 0.0f) || !std::isfinite(volume)) return;
     if (pixels_of(surface.bounds, context.frame().block.view_projection, context.size()).empty()) return;
@@ -97,6 +98,8 @@ void RadianceMapsPass::render(PassContext& context, const Surface& surface, floa
         filter(context, seen);
     }
     object.restart = false;
+    if (!cleared) clear_marks(context);
+    cleared = true;
     mark(context, seen);
     combine(context, seen);
 }

@@ -56,7 +56,8 @@ class RadianceMapsPass final : public Pass {
         float number;
     };
 
-    void render(PassContext& context, const Surface& surface, float number);
+    void render(PassContext& context, const Surface& surface, float number, bool& cleared);
+    static void clear_marks(PassContext& context);
     Body& body_of(PassContext& context, const Surface& surface);
     Object& object_of(const Surface& surface, const ViewMaps& body);
     void prepare(PassContext& context, const Seen& seen);
