@@ -13,14 +13,15 @@
 namespace tyndall::translucency {
 namespace {
 
-constexpr int kLevels = 11;  ///< 2 to this power points
+constexpr int kLevels = 12;  ///< 2 to this power points
 constexpr int kRounds = 6;
 
-/// A kernel by the squared distance, from a table.
+/// A kernel by the distance, from a table. Not its Gaussians: where the kernel is narrower than a piece their sum is
+/// off by tenths, which would be light from nowhere.
 class KernelTable {
  public:
     KernelTable(const RadialKernel& kernel, float farthest) : per_metre_(float(kSteps) / farthest) {
-        for (int i = 0; i <= kSteps; ++i) values_.push_back(kernel.at(float(i) / per_metre_));
+        for (int i = 0; i <= kSteps; ++i) values_.push_back(kernel.exact(float(i) / per_metre_));
     }
     [[nodiscard]] glm::vec3 at(float r) const {
         const float x = std::min(r * per_metre_, float(kSteps) - 1e-3f);
@@ -41,20 +42,42 @@ struct Points {
     std::vector<Balanced> balanced;
 };
 
-/// What leaves at a place of a unit of light a unit of area everywhere, not scaled there.
-glm::vec3 found_at(const glm::vec3& place, const Points& points, const KernelTable& kernel) {
+/// The kernel between two points: of a disc as wide as a piece where both lie on one side of the body. What
+/// lies above it, or on the other side of a wall thinner than pieces are wide, is as far away from all of a piece as
+/// from its middle.
+class PieceKernel {
+ public:
+    PieceKernel(const Optics& optics, Model model, float piece, float farthest)
+        : beside_(RadialKernel(optics, model, Scaling::exact, piece), farthest),
+          across_(RadialKernel(optics, model, Scaling::exact, kPoint * piece), farthest) {}
+    [[nodiscard]] glm::vec3 between(const Points& points, size_t i, size_t j) const {
+        const glm::vec3 apart = points.places[j] - points.places[i];
+        const float distance = glm::length(apart), steepest = kSteepest * distance;
+        const bool beside = glm::dot(points.normals[i], points.normals[j]) > 0.0f &&
+                            std::abs(glm::dot(apart, points.normals[i])) <= steepest &&
+                            std::abs(glm::dot(apart, points.normals[j])) <= steepest;
+        return (beside ? beside_ : across_).at(distance);
+    }
+
+ private:
+    static constexpr float kPoint = 0.02f;    ///< a disc as good as a point
+    static constexpr float kSteepest = 0.5f;  ///< sine between a piece and the way to what still lies beside it
+    KernelTable beside_, across_;
+};
+
+/// What leaves at a point of a unit of light a unit of area everywhere, not scaled there.
+glm::vec3 found_at(size_t i, const Points& points, const PieceKernel& kernel) {
     glm::vec3 sum(0.0f);
     for (size_t j = 0; j < points.places.size(); ++j)
-        sum += points.areas[j] * points.balanced[j].scale * kernel.at(glm::distance(place, points.places[j]));
+        sum += points.areas[j] * points.balanced[j].scale * kernel.between(points, i, j);
     return sum;
 }
 
-void find_normals(size_t i, const Points& points, const KernelTable& kernel, Balanced& at) {
+void find_normals(size_t i, const Points& points, const PieceKernel& kernel, Balanced& at) {
     glm::mat3 others(0.0f);
     glm::vec3 all(1e-20f);
     for (size_t j = 0; j < points.places.size(); ++j) {
-        const glm::vec3 weight =
-            points.areas[j] * points.balanced[j].scale * kernel.at(glm::distance(points.places[i], points.places[j]));
+        const glm::vec3 weight = points.areas[j] * points.balanced[j].scale * kernel.between(points, i, j);
         all += weight;
         if (j == i)
             at.own = weight;
@@ -115,13 +138,13 @@ class Blend {
 };
 
 /// Symmetric balancing (Knight, Ruiz & Ucar).
-void scale_evenly(Points& points, const KernelTable& kernel) {
+void scale_evenly(Points& points, const PieceKernel& kernel) {
     for (int round = 0; round < kRounds; ++round) {
         std::vector<Balanced> next(points.places.size());
         parallel_for(0, next.size(), 64, [&](size_t first, size_t last) {
             for (size_t i = first; i < last; ++i)
-                next[i].scale = glm::sqrt(points.balanced[i].scale /
-                                          glm::max(found_at(points.places[i], points, kernel), glm::vec3(1e-20f)));
+                next[i].scale =
+                    glm::sqrt(points.balanced[i].scale / glm::max(found_at(i, points, kernel), glm::vec3(1e-20f)));
         });
         points.balanced = std::move(next);
     }
@@ -144,8 +167,7 @@ std::vector<Balanced> balance(const Mesh& mesh, const Optics& optics, Model mode
     if (count == 0 || !(area > 0.0f)) return vertices;
     points.balanced.resize(count);
     const float piece = std::sqrt(area / (float(count) * std::numbers::pi_v<float>));
-    const KernelTable kernel(RadialKernel(optics, model, Scaling::exact, piece),
-                             1.01f * metres_of_unit * glm::length(mesh.bounds.size()));
+    const PieceKernel kernel(optics, model, piece, 1.01f * metres_of_unit * glm::length(mesh.bounds.size()));
     if (scaling == Scaling::exact) scale_evenly(points, kernel);
     parallel_for(0, count, 64, [&](size_t first, size_t last) {
         for (size_t i = first; i < last; ++i) find_normals(i, points, kernel, points.balanced[i]);
