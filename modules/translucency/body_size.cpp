@@ -98,6 +98,12 @@ bool BodyShape::update(const glm::mat3& world_from_local) {
     return true;
 }
 
+bool BodyRadius::update(const Mesh& mesh, const glm::mat3& world_from_local) {
+    if (!shape_.update(world_from_local)) return false;
+    radius = body_radius(mesh, world_from_local);
+    return true;
+}
+
 bool BodySize::update(const Mesh& mesh, const glm::mat3& world_from_local) {
     if (!shape_.update(world_from_local)) return false;
     radius = body_radius(mesh, world_from_local);

@@ -39,7 +39,18 @@ class BodyShape {
     glm::mat3 metric_{0.0f};
 };
 
-/// What is known of a body's size until its shape changes.
+/// A body's radius until its shape changes.
+struct BodyRadius {
+    float radius = 0.0f;  ///< body_radius
+
+    /// True when the shape is another than before.
+    bool update(const Mesh& mesh, const glm::mat3& world_from_local);
+
+ private:
+    BodyShape shape_;
+};
+
+/// All that is known of a body's size until its shape changes.
 struct BodySize {
     float radius = 0.0f;  ///< body_radius
     SurfaceDensity surface;

@@ -58,15 +58,12 @@ Technique TechniquePlan::automatic(const Surface& surface, const Camera& camera)
 }
 
 Wandering TechniquePlan::wandering(const Surface& surface, Choice& choice) {
-    const glm::mat3 world(surface.transform);
-    if (choice.shape.update(world) || choice.mesh != surface.mesh->id)
-        choice.radius = body_radius(surface.mesh->mesh, world);
-    choice.mesh = surface.mesh->id;
+    choice.size.update(surface.mesh->mesh, glm::mat3(surface.transform));
     const Optics optics = optics_of(*surface.interior);
     const glm::vec3 albedo = optics.albedo();
     const auto largest = [](const glm::vec3& v) { return std::max({v.x, v.y, v.z}); };
     // what encloses nothing has no size to go by
-    const float radius = choice.radius > 0.0f ? choice.radius : std::numeric_limits<float>::infinity();
+    const float radius = choice.size.radius > 0.0f ? choice.size.radius : std::numeric_limits<float>::infinity();
     return {radius * largest(optics.sigma_s_reduced), largest(albedo)};
 }
 

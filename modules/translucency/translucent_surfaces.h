@@ -48,9 +48,7 @@ class TechniquePlan {
     struct Choice {
         Technique technique{};
         bool logged = false;
-        uint64_t mesh = 0;
-        BodyShape shape;
-        float radius = 0.0f;  ///< metres
+        BodyRadius size;
     };
 
     Technique technique_of(const Surface& surface, const Camera& camera);

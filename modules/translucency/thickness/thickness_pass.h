@@ -33,7 +33,7 @@ class ThicknessPass final : public Pass {
     };
     struct Object {
         InteriorBuffers interior;
-        BodySize size;
+        BodyRadius size;
         WrapAmount wrap;
         gpu::Texture through;
         float farthest = 0.0f;

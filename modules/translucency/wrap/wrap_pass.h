@@ -24,7 +24,7 @@ class WrapPass final : public Pass {
  private:
     struct Object {
         InteriorBuffers interior;
-        BodySize size;
+        BodyRadius size;
         WrapAmount wrap;
         uint64_t last_used = 0;
     };
