@@ -38,6 +38,11 @@ glm::vec3 shape_of(const glm::mat4& transform) {
     return glm::exp(steps / 50.0f);
 }
 
+ShapeKey shape_key(const Surface& surface) {
+    const glm::vec3 shape = shape_of(surface.transform);
+    return {surface.mesh->id, shape.x, shape.y, shape.z};
+}
+
 Mesh stretched(const Mesh& mesh, const glm::vec3& shape) {
     Mesh made;
     made.positions = mesh.positions;

@@ -5,6 +5,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <tuple>
 
 #include "scene/render_scene.h"
 
@@ -13,6 +14,9 @@ namespace tyndall::translucency {
 /// How a transform stretches the mesh's axes, over the most, in steps of a fiftieth so that little changes keep what
 /// was made.
 [[nodiscard]] glm::vec3 shape_of(const glm::mat4& transform);
+/// A surface's mesh and shape: what surfaces that differ by the rest alone can share things by.
+using ShapeKey = std::tuple<uint64_t, float, float, float>;
+[[nodiscard]] ShapeKey shape_key(const Surface& surface);
 /// The mesh with its axes stretched.
 [[nodiscard]] Mesh stretched(const Mesh& mesh, const glm::vec3& shape);
 /// Places, normals and triangles of a mesh, those with edges longer than `longest` halved until there are none.

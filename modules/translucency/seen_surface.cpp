@@ -45,6 +45,17 @@ void bind_pixels(const gpu::Program& program, PassContext& context, const SeenSu
     program.set("number", seen.number);
 }
 
+void bind_seen(const gpu::Program& program, PassContext& context, const Surface& surface, float number,
+               SpecularTableTexture& table) {
+    table.bind(program);
+    for (const char* target : {"scene_depth", "gbuffer_normal", "gbuffer_surface"})
+        program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
+    const Material& boundary = *surface.material;
+    program.set("boundary_base", glm::vec4(glm::vec3(boundary.base_colour), boundary.ior));
+    program.set("boundary_mirror", glm::vec4(boundary.specular_colour, boundary.specular));
+    program.set("number", number);
+}
+
 void dispatch_pixels(glm::ivec2 size) {
     constexpr int kGroup = 8;
     glDispatchCompute(GLuint((size.x + kGroup - 1) / kGroup), GLuint((size.y + kGroup - 1) / kGroup), 1);

@@ -1,12 +1,13 @@
 #pragma once
-/// Techniques that turn the light of an object's pixels into other light in compute shaders: what they share
-/// (shaders/pixel.glsl).
+/// Techniques that turn the light of an object's pixels into other light: what they share, in compute shaders
+/// (shaders/pixel.glsl) and in fragment shaders (shaders/seen.glsl).
 
 #include <vector>
 
 #include "interior_block.h"
 #include "pixels.h"
 #include "render/frame_graph.h"
+#include "render/specular_table.h"
 #include "translucent_surfaces.h"
 
 namespace tyndall::translucency {
@@ -31,6 +32,9 @@ void bind_pixels(const gpu::Program& program, PassContext& context, const SeenSu
                  const InteriorBuffers& interior);
 /// In groups of 8x8; what is written is seen by what follows.
 void dispatch_pixels(glm::ivec2 size);
+/// What shaders/seen.glsl reads, for techniques that shade in fragments; `number` as above.
+void bind_seen(const gpu::Program& program, PassContext& context, const Surface& surface, float number,
+               SpecularTableTexture& table);
 /// Takes away what the pixels had and begins with light from all around.
 void begin_pixels(PassContext& context, const SeenSurface& seen, const InteriorBuffers& interior);
 

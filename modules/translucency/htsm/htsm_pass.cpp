@@ -19,7 +19,6 @@
 namespace tyndall::translucency {
 namespace {
 
-constexpr uint64_t kKeptFrames = 120;
 /// The first ring of Shopf's pattern over the transport distance, and over the object's radius at most: the third ring,
 /// four times as wide, still meets the object.
 constexpr float kRing = 0.25f, kMostRing = 0.12f;
@@ -49,24 +48,14 @@ void HtsmPass::declare(PassDeclaration& declaration) {
 }
 
 void HtsmPass::execute(PassContext& context) {
-    ++frame_;
     if (settings_.enabled)
         for (const size_t index : plan_->surfaces(context.frame().scene, Technique::htsm)) {
             const Surface& surface = context.frame().scene.surfaces[index];
-            Object& object = object_of(surface);
+            Object& object = objects_.of(surface);
             if (object.solid.update(surface, context.frame().scene.time_s, settings_.htsm))
                 render(context, surface, float(index + 1), object);
         }
-    std::erase_if(objects_, [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; });
-}
-
-HtsmPass::Object& HtsmPass::object_of(const Surface& surface) {
-    const uint64_t entity = uint64_t(surface.entity.index) << 32u | surface.entity.generation;
-    ObjectKey key{entity, surface.mesh->id, 0};
-    while (objects_[key].last_used == frame_) ++std::get<2>(key);
-    Object& object = objects_[key];
-    object.last_used = frame_;
-    return object;
+    objects_.end_frame();
 }
 
 void HtsmPass::render(PassContext& context, const Surface& surface, float number, Object& object) {
@@ -88,13 +77,7 @@ void HtsmPass::render(PassContext& context, const Surface& surface, float number
 void HtsmPass::bind(const gpu::Program& program, PassContext& context, const Surface& surface, float number,
                     const Solid& solid) {
     solid.bind(program);
-    table_.bind(program);
-    for (const char* target : {"scene_depth", "gbuffer_normal", "gbuffer_surface"})
-        program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
-    const Material& boundary = *surface.material;
-    program.set("boundary_base", glm::vec4(glm::vec3(boundary.base_colour), boundary.ior));
-    program.set("boundary_mirror", glm::vec4(boundary.specular_colour, boundary.specular));
-    program.set("number", number);
+    bind_seen(program, context, surface, number, table_);
 }
 
 HtsmPass::Variant HtsmPass::variant_of(const Surface& surface) const {
@@ -116,7 +99,7 @@ void HtsmPass::begin(PassContext& context, const Surface& surface, float number,
 
 std::string HtsmPass::source_of(Frame& frame, size_t light, const Surface& surface, const Solid& solid) const {
     std::string source;
-    append_light_state(source, frame, light, frame_);
+    append_light_state(source, frame, light, objects_.frame());
     append_state(source, surface.transform);
     append_state(source, surface.interior->eta);
     append_state(source, solid.version());

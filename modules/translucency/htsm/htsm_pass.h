@@ -4,10 +4,10 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "htsm/solid.h"
+#include "kept.h"
 #include "render/frame_graph.h"
 #include "render/light_programs.h"
 #include "render/specular_table.h"
@@ -47,14 +47,10 @@ class HtsmPass final : public Pass {
     struct Object {
         Solid solid;
         std::vector<Arriving> lights;
-        uint64_t last_used = 0;
         bool unshadowed = false;  ///< by some light, and that has been said
     };
-    /// Entity, mesh, and how many of both came before in the frame.
-    using ObjectKey = std::tuple<uint64_t, uint64_t, int>;
 
     [[nodiscard]] Variant variant_of(const Surface& surface) const;
-    Object& object_of(const Surface& surface);
     void render(PassContext& context, const Surface& surface, float number, Object& object);
     void arrive(PassContext& context, const Surface& surface, Object& object);
     [[nodiscard]] std::string source_of(Frame& frame, size_t light, const Surface& surface, const Solid& solid) const;
@@ -68,10 +64,9 @@ class HtsmPass final : public Pass {
 
     std::shared_ptr<TechniquePlan> plan_;
     const TranslucencySettings& settings_;
-    std::map<ObjectKey, Object> objects_;
+    KeptOfSurfaces<Object> objects_;
     std::map<Variant, LightPrograms> programs_, arrive_programs_;
     SpecularTableTexture table_;
-    uint64_t frame_ = 0;
 };
 
 }  // namespace tyndall::translucency

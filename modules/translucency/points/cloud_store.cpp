@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "body_space.h"
 #include "core/log.h"
 
 namespace tyndall::translucency {
@@ -26,8 +25,7 @@ float area_of(const Mesh& mesh, const glm::vec3& shape) {
 
 const GpuCloud& CloudStore::cloud(const Surface& surface, int levels, float opening) {
     const glm::vec3 shape = shape_of(surface.transform);
-    Cloud& cloud = clouds_[{{surface.mesh->id, shape.x, shape.y, shape.z}, levels}];
-    cloud.last_used = frame_;
+    Cloud& cloud = clouds_.at({shape_key(surface), levels});
     if (cloud.gpu && cloud.opening == opening) return *cloud.gpu;
     const auto begun = std::chrono::steady_clock::now();
     const Mesh& mesh = surface.mesh->mesh;
@@ -45,18 +43,15 @@ const GpuCloud& CloudStore::cloud(const Surface& surface, int levels, float open
 
 float CloudStore::area(const Surface& surface) {
     const glm::vec3 shape = shape_of(surface.transform);
-    const auto [found, is_new] = areas_.try_emplace({surface.mesh->id, shape.x, shape.y, shape.z});
-    if (is_new) found->second.area = area_of(surface.mesh->mesh, shape);
-    found->second.last_used = frame_;
+    std::optional<float>& area = areas_.at(shape_key(surface));
+    if (!area) area = area_of(surface.mesh->mesh, shape);
     const float volume = std::abs(glm::determinant(glm::mat3(surface.transform))) / (shape.x * shape.y * shape.z);
-    return found->second.area * std::pow(volume, 2.0f / 3.0f);
+    return *area * std::pow(volume, 2.0f / 3.0f);
 }
 
-void CloudStore::forget_unused() {
-    const auto old = [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; };
-    std::erase_if(clouds_, old);
-    std::erase_if(areas_, old);
-    ++frame_;
+void CloudStore::end_frame() {
+    clouds_.end_frame();
+    areas_.end_frame();
 }
 
 }  // namespace tyndall::translucency

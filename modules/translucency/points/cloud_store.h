@@ -1,19 +1,16 @@
 #pragma once
 /// The clouds of all meshes in use.
 
-#include <cstdint>
-#include <map>
 #include <memory>
-#include <tuple>
+#include <optional>
 #include <utility>
 
+#include "body_space.h"
+#include "kept.h"
 #include "points/gpu_cloud.h"
 #include "scene/render_scene.h"
 
 namespace tyndall::translucency {
-
-/// For how many frames what nobody uses is kept.
-constexpr uint64_t kKeptFrames = 120;
 
 /// Clouds by mesh, how it is stretched, and their levels.
 class CloudStore {
@@ -23,23 +20,15 @@ class CloudStore {
     /// The surface's, m2.
     float area(const Surface& surface);
     /// Once a frame.
-    void forget_unused();
+    void end_frame();
 
  private:
-    using Shape = std::tuple<uint64_t, float, float, float>;
     struct Cloud {
         std::unique_ptr<GpuCloud> gpu;
-        uint64_t last_used = 0;
         float opening = 0.0f;
     };
-    struct Area {
-        float area = 0.0f;  ///< of the stretched mesh's space
-        uint64_t last_used = 0;
-    };
-
-    std::map<std::pair<Shape, int>, Cloud> clouds_;
-    std::map<Shape, Area> areas_;
-    uint64_t frame_ = 0;
+    Kept<std::pair<ShapeKey, int>, Cloud> clouds_;
+    Kept<ShapeKey, std::optional<float>> areas_;  ///< of the stretched mesh's space
 };
 
 }  // namespace tyndall::translucency

@@ -103,7 +103,6 @@ void PointsPass::declare(PassDeclaration& declaration) {
 }
 
 void PointsPass::execute(PassContext& context) {
-    ++frame_;
     const RenderScene& scene = context.frame().scene;
     const Frustum frustum(context.frame().block.view_projection);
     std::vector<const Surface*> seen;
@@ -113,7 +112,8 @@ void PointsPass::execute(PassContext& context) {
                 seen.push_back(&scene.surfaces[index]);
     const float share = share_of_budget(context, seen);
     for (const Surface* surface : seen) render(context, *surface, share);
-    forget_unused();
+    objects_.end_frame();
+    clouds_.end_frame();
 }
 
 float PointsPass::points_for(PassContext& context, const Surface& surface) {
@@ -128,7 +128,7 @@ float PointsPass::share_of_budget(PassContext& context, const std::vector<const 
 }
 
 void PointsPass::render(PassContext& context, const Surface& surface, float share) {
-    Object& object = object_of(surface);
+    Object& object = objects_.of(surface);
     const PointsSettings& wanted = settings_.points;
     const float points = std::min(points_for(context, surface), std::ldexp(1.0f, wanted.levels));
     object.levels = levels_for(share * points, object.levels, wanted.levels);
@@ -143,15 +143,6 @@ void PointsPass::render(PassContext& context, const Surface& surface, float shar
     draw(context, surface, cloud, *object.gpu);
 }
 
-PointsPass::Object& PointsPass::object_of(const Surface& surface) {
-    const uint64_t entity = uint64_t(surface.entity.index) << 32u | surface.entity.generation;
-    ObjectKey key{entity, surface.mesh->id, 0};
-    while (objects_[key].last_used == frame_) ++std::get<2>(key);
-    Object& object = objects_[key];
-    object.last_used = frame_;
-    return object;
-}
-
 void PointsPass::prepare(Object& object, const Surface& surface, const GpuCloud& cloud) const {
     if (!object.gpu || object.cloud != &cloud || object.directional != directional()) {
         object.gpu = std::make_unique<GpuObject>(cloud, directional());
@@ -163,11 +154,6 @@ void PointsPass::prepare(Object& object, const Surface& surface, const GpuCloud&
     if (object.gpu->interior.update({optics_of(*surface.interior), settings_.model, settings_.scaling, radius,
                                      cloud.radius * scale_of(surface, cloud)}))
         object.balanced = false;
-}
-
-void PointsPass::forget_unused() {
-    std::erase_if(objects_, [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; });
-    clouds_.forget_unused();
 }
 
 void PointsPass::balance(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {

@@ -1,11 +1,10 @@
 #pragma once
 /// The technique points: every point of the surface gathers, in every frame, from all the others.
 
-#include <map>
 #include <memory>
-#include <tuple>
 #include <vector>
 
+#include "kept.h"
 #include "points/cloud_store.h"
 #include "render/frame_graph.h"
 #include "render/light_programs.h"
@@ -26,26 +25,21 @@ class PointsPass final : public Pass {
     void execute(PassContext& context) override;
 
  private:
-    /// Objects by entity, mesh, and how many of both came before in the frame.
     struct Object {
         std::unique_ptr<GpuObject> gpu;
         const GpuCloud* cloud = nullptr;
-        uint64_t last_used = 0;
         int levels = 0;
         bool balanced = false;
         bool directional = false;
     };
-    using ObjectKey = std::tuple<uint64_t, uint64_t, int>;
 
     [[nodiscard]] bool directional() const;
-    Object& object_of(const Surface& surface);
     void prepare(Object& object, const Surface& surface, const GpuCloud& cloud) const;
     /// How many points a surface is worth by its size on screen; infinite where that does not count.
     float points_for(PassContext& context, const Surface& surface);
     /// What part of them all surfaces get.
     float share_of_budget(PassContext& context, const std::vector<const Surface*>& seen);
     void render(PassContext& context, const Surface& surface, float share);
-    void forget_unused();
     void balance(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
     void light(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
     void sum(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object);
@@ -56,10 +50,9 @@ class PointsPass final : public Pass {
     std::shared_ptr<TechniquePlan> plan_;
     const TranslucencySettings& settings_;
     CloudStore clouds_;
-    std::map<ObjectKey, Object> objects_;
+    KeptOfSurfaces<Object> objects_;
     LightPrograms light_programs_, directional_light_programs_;
     unsigned int vertex_array_ = 0;
-    uint64_t frame_ = 0;
 };
 
 }  // namespace tyndall::translucency

@@ -18,7 +18,6 @@
 namespace tyndall::translucency {
 namespace {
 
-constexpr uint64_t kKeptFrames = 120;
 /// Of the light maps' texels that may change without a restart.
 constexpr float kChangedShare = 1e-3f;
 /// The widest Gaussian of a kernel reaches over an object that many pieces wide.
@@ -71,15 +70,13 @@ void RadianceMapsPass::declare(PassDeclaration& declaration) {
 }
 
 void RadianceMapsPass::execute(PassContext& context) {
-    ++frame_;
     float number = 0.0f;
     bool cleared = false;  // the marks: where no object is seen nothing need be
     if (settings_.enabled)
         for (const size_t index : plan_->surfaces(context.frame().scene, Technique::radiance_maps))
             render(context, context.frame().scene.surfaces[index], number += 1.0f, cleared);
-    const auto old = [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; };
-    std::erase_if(objects_, old);
-    std::erase_if(bodies_, old);
+    objects_.end_frame();
+    bodies_.end_frame();
 }
 
 void RadianceMapsPass::render(PassContext& context, const Surface& surface, float number, bool& cleared) {
@@ -106,8 +103,7 @@ void RadianceMapsPass::render(PassContext& context, const Surface& surface, floa
 
 RadianceMapsPass::Body& RadianceMapsPass::body_of(PassContext& context, const Surface& surface) {
     const glm::vec3 shape = shape_of(surface.transform);
-    Body& body = bodies_[{surface.mesh->id, shape.x, shape.y, shape.z}];
-    body.last_used = frame_;
+    Body& body = bodies_.at(shape_key(surface));
     const RadianceMapsSettings& wanted = settings_.radiance_maps;
     if (!body.maps || body.maps->views() != wanted.views || body.maps->resolution() != wanted.resolution) {
         const auto begun = std::chrono::steady_clock::now();
@@ -123,16 +119,11 @@ RadianceMapsPass::Body& RadianceMapsPass::body_of(PassContext& context, const Su
 }
 
 RadianceMapsPass::Object& RadianceMapsPass::object_of(const Surface& surface, const ViewMaps& body) {
-    const uint64_t entity = uint64_t(surface.entity.index) << 32u | surface.entity.generation;
-    ObjectKey key{entity, surface.mesh->id, 0};
-    while (objects_[key].last_used == frame_) ++std::get<2>(key);
-    Object& object = objects_[key];
-    object.last_used = frame_;
+    Object& object = objects_.of(surface);
     if (object.body == &body && object.leaving.name() != 0 && object.leaving.desc().width == body.resolution() &&
         object.leaving.desc().layers == body.views())
         return object;
     object = Object{};
-    object.last_used = frame_;
     object.body = &body;
     object.leaving = gpu::Texture({.shape = gpu::Shape::array,
                                    .format = gpu::Format::rgba32f,

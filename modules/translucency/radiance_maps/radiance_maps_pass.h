@@ -2,11 +2,11 @@
 /// The technique radiance_maps: maps of the light that leaves an object, gathered over some frames from maps of what
 /// the lights see of it (Dal Corso 2014).
 
-#include <map>
 #include <memory>
-#include <tuple>
 
+#include "body_space.h"
 #include "interior_block.h"
+#include "kept.h"
 #include "radiance_maps/light_maps.h"
 #include "radiance_maps/view_maps.h"
 #include "render/frame_graph.h"
@@ -25,11 +25,9 @@ class RadianceMapsPass final : public Pass {
     void execute(PassContext& context) override;
 
  private:
-    /// By mesh and how it is stretched.
     struct Body {
         std::unique_ptr<ViewMaps> maps;
         glm::vec3 shape{1.0f};
-        uint64_t last_used = 0;
     };
     struct Object {
         const ViewMaps* body = nullptr;
@@ -40,11 +38,9 @@ class RadianceMapsPass final : public Pass {
         gpu::Texture leaving;  ///< a layer a view: what leaves, and its coarser levels
         gpu::Buffer state;     ///< shaders/radiance_maps/layers.glsl
         int samples = 0;
-        uint64_t last_used = 0;
         bool restart = true;
         bool said_left_out = false;
     };
-    using ObjectKey = std::tuple<uint64_t, uint64_t, int>;
 
     /// A surface to render.
     struct Seen {
@@ -69,11 +65,10 @@ class RadianceMapsPass final : public Pass {
 
     std::shared_ptr<TechniquePlan> plan_;
     const TranslucencySettings& settings_;
-    std::map<std::tuple<uint64_t, float, float, float>, Body> bodies_;
-    std::map<ObjectKey, Object> objects_;
+    Kept<ShapeKey, Body> bodies_;
+    KeptOfSurfaces<Object> objects_;
     LightPrograms enter_programs_;
     gpu::Texture blue_noise_;
-    uint64_t frame_ = 0;
 };
 
 }  // namespace tyndall::translucency

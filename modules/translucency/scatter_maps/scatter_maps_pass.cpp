@@ -12,11 +12,11 @@
 #include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/seams.h"
+#include "seen_surface.h"
 
 namespace tyndall::translucency {
 namespace {
 
-constexpr uint64_t kKeptFrames = 120;
 constexpr const char *kPlaces = "translucent_scatter_places", *kNear = "translucent_scatter_near",
                      *kDeep = "translucent_scatter_deep";
 constexpr gpu::SamplerDesc kNearest{.filter = gpu::Filter::nearest};
@@ -33,7 +33,7 @@ gpu::ProgramDesc program_of(const ScatterMapsPass::Variant& variant, const std::
             .defines = std::move(defines)};
 }
 
-glm::vec3 shape_of(const glm::mat4& transform) {
+glm::vec3 axis_lengths(const glm::mat4& transform) {
     return {glm::length(transform[0]), glm::length(transform[1]), glm::length(transform[2])};
 }
 
@@ -61,19 +61,18 @@ void ScatterMapsPass::declare(PassDeclaration& declaration) {
 }
 
 void ScatterMapsPass::execute(PassContext& context) {
-    ++frame_;
     Frame& frame = context.frame();
     if (settings_.enabled)
         for (const size_t index : plan_->surfaces(frame.scene, Technique::scatter_maps)) {
             const Surface& surface = frame.scene.surfaces[index];
             const PixelRectangle pixels = pixels_of(surface.bounds, frame.block.view_projection, context.size());
-            Object& object = object_of(surface);
+            Object& object = objects_.of(surface);
             if (!update_body(object, surface) || pixels.empty()) continue;
             update_tables(object, surface);
             update_maps(context, surface, object);
             render(context, surface, float(index + 1), pixels, object);
         }
-    std::erase_if(objects_, [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; });
+    objects_.end_frame();
 }
 
 void ScatterMapsPass::render(PassContext& context, const Surface& surface, float number, const PixelRectangle& pixels,
@@ -97,17 +96,8 @@ ScatterMapsPass::Variant ScatterMapsPass::variant_of(const Surface& surface) con
     return {s.form, s.light, s.falloff, steps, surface.interior->eta > 1.0f};
 }
 
-ScatterMapsPass::Object& ScatterMapsPass::object_of(const Surface& surface) {
-    const uint64_t entity = uint64_t(surface.entity.index) << 32u | surface.entity.generation;
-    ObjectKey key{entity, surface.mesh->id, 0};
-    while (objects_[key].last_used == frame_) ++std::get<2>(key);
-    Object& object = objects_[key];
-    object.last_used = frame_;
-    return object;
-}
-
 bool ScatterMapsPass::update_body(Object& object, const Surface& surface) const {
-    const glm::vec3 shape = shape_of(surface.transform);
+    const glm::vec3 shape = axis_lengths(surface.transform);
     if (object.mesh == surface.mesh->id && glm::all(glm::lessThan(glm::abs(object.shape - shape), 1e-4f * shape)))
         return object.body_radius > 0.0f;
     const bool flat = !(std::abs(glm::determinant(glm::mat3(surface.transform))) > 0.0f);
@@ -151,17 +141,6 @@ void ScatterMapsPass::bind_solid(const gpu::Program& program, const Object& obje
     object.phase.bind(program);
 }
 
-void ScatterMapsPass::bind_seen(const gpu::Program& program, PassContext& context, const Surface& surface,
-                                float number) {
-    table_.bind(program);
-    for (const char* target : {"scene_depth", "gbuffer_normal", "gbuffer_surface"})
-        program.texture(target, context.texture(target), kNearest);
-    const Material& boundary = *surface.material;
-    program.set("boundary_base", glm::vec4(glm::vec3(boundary.base_colour), boundary.ior));
-    program.set("boundary_mirror", glm::vec4(boundary.specular_colour, boundary.specular));
-    program.set("number", number);
-}
-
 void ScatterMapsPass::update_maps(PassContext& context, const Surface& surface, Object& object) {
     Frame& frame = context.frame();
     const size_t lights = frame.scene.lights.size();
@@ -172,7 +151,7 @@ void ScatterMapsPass::update_maps(PassContext& context, const Surface& surface, 
     object.maps.resize(lights);
     for (size_t i = 0; i < lights; ++i) {
         std::string state;
-        append_light_state(state, frame, i, frame_);
+        append_light_state(state, frame, i, objects_.frame());
         append_state(state, surface.transform);
         append_state(state, object.version);
         append_state(state, size);
@@ -189,7 +168,7 @@ void ScatterMapsPass::begin(PassContext& context, const Surface& surface, float 
     program.use();
     bind_frame(program, frame);
     frame.seams.bind(Seam::indirect_light, program, context);
-    bind_seen(program, context, surface, number);
+    bind_seen(program, context, surface, number, table_);
     bind_solid(program, object);
     program.set("ambient", variant.light == ScatterMapsLight::once ? 0.0f : 1.0f);
     const DrawState state(DepthState::off, BlendState::attenuate_add);
@@ -205,7 +184,7 @@ void ScatterMapsPass::add_lights(PassContext& context, const Surface& surface, f
     for (size_t i = 0; i < frame.scene.lights.size(); ++i) {
         const gpu::Program& program = programs.use(frame, i, [&](const gpu::Program& fresh) {
             frame.seams.bind(Seam::light_transmittance, fresh, context);
-            bind_seen(fresh, context, surface, number);
+            bind_seen(fresh, context, surface, number, table_);
             bind_solid(fresh, object);
         });
         program.set("light_index", unsigned(i));
@@ -257,7 +236,7 @@ void ScatterMapsPass::spread(PassContext& context, const Surface& surface, float
     const gpu::Program& program = frame.shaders.program(variant_of(surface).bends ? kBends : kEven);
     program.use();
     bind_frame(program, frame);
-    bind_seen(program, context, surface, number);
+    bind_seen(program, context, surface, number, table_);
     bind_solid(program, object);
     program.texture("blur_places", context.texture(kPlaces), kNearest);
     program.texture("blurred_near", context.texture(kNear), kNearest);

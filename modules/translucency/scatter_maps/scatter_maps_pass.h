@@ -4,10 +4,10 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "interior_block.h"
+#include "kept.h"
 #include "phase_table.h"
 #include "pixels.h"
 #include "render/frame_graph.h"
@@ -50,13 +50,9 @@ class ScatterMapsPass final : public Pass {
         InteriorBuffers interior;
         PhaseTexture phase;
         std::vector<ScatterMap> maps;  ///< a light each
-        uint64_t last_used = 0;
     };
-    /// Entity, mesh, and how many of both came before in the frame.
-    using ObjectKey = std::tuple<uint64_t, uint64_t, int>;
 
     [[nodiscard]] Variant variant_of(const Surface& surface) const;
-    Object& object_of(const Surface& surface);
     /// False when there is no inside.
     bool update_body(Object& object, const Surface& surface) const;
     void update_tables(Object& object, const Surface& surface) const;
@@ -68,16 +64,14 @@ class ScatterMapsPass final : public Pass {
     /// Light that scatters more than once, of form ki.
     void blur(PassContext& context, const PixelRectangle& pixels, float number, const Object& object);
     void spread(PassContext& context, const Surface& surface, float number, const Object& object);
-    void bind_seen(const gpu::Program& program, PassContext& context, const Surface& surface, float number);
     static void bind_solid(const gpu::Program& program, const Object& object);
 
     std::shared_ptr<TechniquePlan> plan_;
     const TranslucencySettings& settings_;
-    std::map<ObjectKey, Object> objects_;
+    KeptOfSurfaces<Object> objects_;
     std::map<Variant, LightPrograms> programs_;
     LightPrograms entry_programs_;
     SpecularTableTexture table_;
-    uint64_t frame_ = 0;
 };
 
 }  // namespace tyndall::translucency

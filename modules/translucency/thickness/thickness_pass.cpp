@@ -13,7 +13,6 @@
 namespace tyndall::translucency {
 namespace {
 
-constexpr uint64_t kKeptFrames = 120;
 constexpr int kResolution = 48;
 constexpr int kColumns = 256;  ///< of the table of what passes, as light.comp has it
 
@@ -43,18 +42,15 @@ void ThicknessPass::declare(PassDeclaration& declaration) {
 }
 
 void ThicknessPass::execute(PassContext& context) {
-    ++frame_;
     if (settings_.enabled)
         for (const SeenSurface& seen : seen_surfaces(*plan_, Technique::thickness, context)) render(context, seen);
-    const auto old = [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; };
-    std::erase_if(objects_, old);
-    std::erase_if(grids_, old);
+    objects_.end_frame();
+    grids_.end_frame();
 }
 
 const ThicknessPass::Grid& ThicknessPass::grid_of(const Surface& surface) {
     const glm::vec3 shape = shape_of(surface.transform);
-    Grid& grid = grids_[{surface.mesh->id, shape.x, shape.y, shape.z}];
-    grid.last_used = frame_;
+    Grid& grid = grids_.at(shape_key(surface));
     if (grid.made) return grid;
     const auto begun = std::chrono::steady_clock::now();
     const ThicknessGrid made = make_thickness_grid(stretched(surface.mesh->mesh, shape), kResolution);
@@ -79,9 +75,7 @@ const ThicknessPass::Grid& ThicknessPass::grid_of(const Surface& surface) {
 }
 
 const ThicknessPass::Object& ThicknessPass::object_of(const Surface& surface) {
-    const uint64_t entity = uint64_t(surface.entity.index) << 32u | surface.entity.generation;
-    Object& object = objects_[{entity, surface.mesh->id}];
-    object.last_used = frame_;
+    Object& object = objects_.of(surface);
     const bool reshaped = object.size.update(surface.mesh->mesh, glm::mat3(surface.transform));
     const Optics optics = optics_of(*surface.interior);
     const bool is_new = object.interior.update(

@@ -1,12 +1,11 @@
 #pragma once
 /// The technique thickness: wrapped light through the body by its local thickness (Barre-Brisebois & Bouchard 2011).
 
-#include <map>
 #include <memory>
-#include <tuple>
-#include <utility>
 
 #include "body_size.h"
+#include "body_space.h"
+#include "kept.h"
 #include "render/light_programs.h"
 #include "seen_surface.h"
 #include "translucency_settings.h"
@@ -23,13 +22,11 @@ class ThicknessPass final : public Pass {
     void execute(PassContext& context) override;
 
  private:
-    /// By mesh and how it is stretched.
     struct Grid {
         gpu::Texture texture;
         glm::mat4 grid_from_shape{1.0f};  ///< from the stretched mesh's space
         glm::vec3 shape{1.0f};
         bool made = false;
-        uint64_t last_used = 0;
     };
     struct Object {
         InteriorBuffers interior;
@@ -37,9 +34,7 @@ class ThicknessPass final : public Pass {
         WrapAmount wrap;
         gpu::Texture through;
         float farthest = 0.0f;
-        uint64_t last_used = 0;
     };
-    using ObjectKey = std::pair<uint64_t, uint64_t>;  ///< entity and mesh
 
     const Grid& grid_of(const Surface& surface);
     const Object& object_of(const Surface& surface);
@@ -48,10 +43,9 @@ class ThicknessPass final : public Pass {
 
     std::shared_ptr<TechniquePlan> plan_;
     const TranslucencySettings& settings_;
-    std::map<std::tuple<uint64_t, float, float, float>, Grid> grids_;
-    std::map<ObjectKey, Object> objects_;
+    Kept<ShapeKey, Grid> grids_;
+    KeptOfSurfaces<Object> objects_;
     LightPrograms programs_;
-    uint64_t frame_ = 0;
 };
 
 }  // namespace tyndall::translucency

@@ -17,7 +17,6 @@
 namespace tyndall::translucency {
 namespace {
 
-constexpr uint64_t kKeptFrames = 120;
 /// Looks along a side of each texel of a map, as light.comp has it.
 constexpr int kSamples = 2;
 
@@ -59,17 +58,14 @@ int TsmPass::texels() const {
 }
 
 void TsmPass::execute(PassContext& context) {
-    ++frame_;
     if (settings_.enabled)
         for (const SeenSurface& seen : seen_surfaces(*plan_, Technique::tsm, context))
             render(context, {*seen.surface, seen, object_of(*seen.surface)});
-    std::erase_if(objects_, [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; });
+    objects_.end_frame();
 }
 
 TsmPass::Object& TsmPass::object_of(const Surface& surface) {
-    const uint64_t entity = uint64_t(surface.entity.index) << 32u | surface.entity.generation;
-    Object& object = objects_[{entity, surface.mesh->id}];
-    object.last_used = frame_;
+    Object& object = objects_.of(surface);
     const bool reshaped = object.size.update(surface.mesh->mesh, glm::mat3(surface.transform));
     const Optics optics = optics_of(*surface.interior);
     const float path = mean_free_path(optics);
@@ -102,7 +98,7 @@ void TsmPass::see(PassContext& context, const Drawn& drawn, size_t light) {
     const Surface& surface = drawn.surface;
     LightMap& map = drawn.object.maps[light];
     std::string state;
-    append_light_state(state, frame, light, frame_);
+    append_light_state(state, frame, light, objects_.frame());
     append_state(state, surface.transform);
     append_state(state, surface.mesh->id);
     append_state(state, drawn.object.size.radius);

@@ -1,14 +1,13 @@
 #pragma once
 /// The technique tsm: translucent shadow maps (Dachsbacher & Stamminger 2003).
 
-#include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "body_size.h"
 #include "interior_block.h"
+#include "kept.h"
 #include "render/frame_graph.h"
 #include "render/light_programs.h"
 #include "seen_surface.h"
@@ -44,10 +43,8 @@ class TsmPass final : public Pass {
         BodySize size;
         glm::vec3 scale{1.0f};  ///< so that as much leaves the body as flat ground would send out
         float reach = 0.0f;     ///< metres beyond which hardly any light comes
-        uint64_t last_used = 0;
         bool too_near = false;  ///< some light is, and that has been said
     };
-    using ObjectKey = std::pair<uint64_t, uint64_t>;  ///< entity and mesh
     /// A surface in its frame.
     struct Drawn {
         const Surface& surface;
@@ -65,11 +62,10 @@ class TsmPass final : public Pass {
 
     std::shared_ptr<TechniquePlan> plan_;
     const TranslucencySettings& settings_;
-    std::map<ObjectKey, Object> objects_;
+    KeptOfSurfaces<Object> objects_;
     LightPrograms light_programs_, gather_programs_;
     gpu::Texture entries_, depths_;  ///< of the map that is being made
     gpu::Framebuffer framebuffer_;
-    uint64_t frame_ = 0;
 };
 
 }  // namespace tyndall::translucency

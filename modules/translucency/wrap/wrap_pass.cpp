@@ -5,12 +5,6 @@
 #include "render/seams.h"
 
 namespace tyndall::translucency {
-namespace {
-
-constexpr uint64_t kKeptFrames = 120;
-
-}  // namespace
-
 WrapPass::WrapPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings& settings)
     : plan_(std::move(plan)),
       settings_(settings),
@@ -22,17 +16,14 @@ void WrapPass::declare(PassDeclaration& declaration) {
 }
 
 void WrapPass::execute(PassContext& context) {
-    ++frame_;
     if (settings_.enabled)
         for (const SeenSurface& seen : seen_surfaces(*plan_, Technique::wrap, context))
             render(context, seen, object_of(*seen.surface));
-    std::erase_if(objects_, [&](const auto& entry) { return entry.second.last_used + kKeptFrames < frame_; });
+    objects_.end_frame();
 }
 
 const WrapPass::Object& WrapPass::object_of(const Surface& surface) {
-    const uint64_t entity = uint64_t(surface.entity.index) << 32u | surface.entity.generation;
-    Object& object = objects_[{entity, surface.mesh->id}];
-    object.last_used = frame_;
+    Object& object = objects_.of(surface);
     const bool reshaped = object.size.update(surface.mesh->mesh, glm::mat3(surface.transform));
     if (reshaped && object.size.radius == 0.0f)
         log::info("translucency: {}: a mesh that is open or flat has no size for light to go around: it is not wrapped",

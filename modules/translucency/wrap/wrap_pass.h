@@ -1,11 +1,10 @@
 #pragma once
 /// The technique wrap: light that reaches around the body, each channel as far as it spreads.
 
-#include <map>
 #include <memory>
-#include <utility>
 
 #include "body_size.h"
+#include "kept.h"
 #include "render/light_programs.h"
 #include "seen_surface.h"
 #include "translucency_settings.h"
@@ -26,18 +25,15 @@ class WrapPass final : public Pass {
         InteriorBuffers interior;
         BodyRadius size;
         WrapAmount wrap;
-        uint64_t last_used = 0;
     };
-    using ObjectKey = std::pair<uint64_t, uint64_t>;  ///< entity and mesh
 
     const Object& object_of(const Surface& surface);
     void render(PassContext& context, const SeenSurface& seen, const Object& object);
 
     std::shared_ptr<TechniquePlan> plan_;
     const TranslucencySettings& settings_;
-    std::map<ObjectKey, Object> objects_;
+    KeptOfSurfaces<Object> objects_;
     LightPrograms programs_;
-    uint64_t frame_ = 0;
 };
 
 }  // namespace tyndall::translucency
