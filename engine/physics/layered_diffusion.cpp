@@ -86,9 +86,9 @@ SolidResponse respond(std::span<const SolidLayer> layers, double k, Theory theor
         Demand demand{-1.0 / below.resistance, 0.0};
         for (size_t i = stack.size(); i-- > 0;) demand = stack[i].pass_up(demand);
         double fluence = above.resistance * demand.offset / (1.0 - above.resistance * demand.slope);
-        response.reflected[c] = above.passed * fluence;
+        response.reflected[c] = std::max(above.passed * fluence, 0.0);  // rounding
         for (const DiffusingLayer& layer : stack) fluence = layer.pass_down(fluence);
-        response.transmitted[c] = below.passed * fluence + beam;
+        response.transmitted[c] = std::max(below.passed * fluence, 0.0) + beam;
     }
     return response;
 }

@@ -14,7 +14,7 @@ struct SolidLayer {
     double thickness_m = std::numeric_limits<double>::infinity();
     glm::dvec3 sigma_a{0.0};          ///< 1/m
     glm::dvec3 sigma_s_reduced{0.0};  ///< 1/m; above 0
-    double eta = 1.4;                 ///< index of refraction against the outside; >= 1
+    double eta = 1.4;                 ///< index of refraction against the outside; 1..2
     bool operator==(const SolidLayer&) const = default;
 };
 
