@@ -15,8 +15,8 @@ namespace tyndall::physics {
 [[nodiscard]] std::vector<SolidLayer> slab_of(std::span<const SolidLayer> layers, double thickness_m);
 
 /// Of light that has entered a slab along the normal, the share that leaves its other side, by the slab's thickness, as
-/// a table (layered_response). DiffusionProfile::through knows the profile alone and gives less: a third less at 3 mm
-/// of skin, a tenth of it at 8 mm.
+/// a table (layered_response). DiffusionProfile::through knows the profile alone and is no
+/// substitute: at 3 mm of skin it is off by a tenth to nine tenths (docs/skin_profiles.md).
 class SlabTransmittance {
  public:
     static constexpr size_t kEntries = 256;

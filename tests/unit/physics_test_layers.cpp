@@ -171,8 +171,21 @@ TEST(SolidExitance, EdgesAreThoseOfPhotons) {
     }
 }
 
-TEST(SlabTransmittance, IsThatOfPhotonsWhereTheProfileAloneIsNot) {
-    const SolidProfile skin = solid_profile({jensen_skin1()});
+TEST(SolidExitance, NormalisedDiffusionIsThatOfASolidWithoutABoundary) {
+    SolidLayer open = jensen_skin1();
+    open.eta = 1.0;
+    for (int c = 0; c < 3; ++c) {
+        PhotonCount traced = PhotonTrace({&open, 1}, c, 9).run(20000);
+        const vec3 path = 1.0f / vec3(open.sigma_s_reduced + open.sigma_a), albedo(float(traced.reflected));
+        const RadialProfile model([&](double r) { return dvec3(normalised_diffusion(albedo, path, float(r))); });
+        const double width = edge_width([&](double x) { return model.edge(x)[c]; });
+        std::printf("index 1, %c: edge 10-90 %% photons %.2f mm, normalised diffusion %.2f mm\n", "rgb"[c],
+                    1e3 * traced.edge_width(), 1e3 * width);
+        EXPECT_NEAR(width, traced.edge_width(), 0.12 * width) << c;
+    }
+}
+
+void against_photons_through(const char* name, const SolidProfile& skin) {
     const SlabTransmittance table(skin.layers);
     EXPECT_NEAR(table.at(0.0f).x, 1.0f, 1e-4f);
     EXPECT_EQ(table.at(2.0f * table.reach_m()), vec3(0.0f));
@@ -183,11 +196,16 @@ TEST(SlabTransmittance, IsThatOfPhotonsWhereTheProfileAloneIsNot) {
             const double traced = PhotonTrace(layers, c, 6).run(8000).transmitted;
             const double found = double(table.at(float(thickness))[c]);
             const double alone = double(skin.fit.profile.through(float(thickness))[c]);
-            std::printf("skin1 %.0f mm %c: photons %.4f, table %.4f, e^(-s^2/v) %.4f (%+.0f %%)\n", mm, "rgb"[c],
-                        traced, found, alone, 100.0 * (alone / traced - 1.0));
-            EXPECT_NEAR(found, layered_response(layers, 0.0).transmitted[c], 1e-3) << mm;
+            std::printf("%s, %.0f mm %c: photons %.4f, table %.4f, e^(-s^2/v) %.4f (%+.0f %%)\n", name, mm, "rgb"[c],
+                        traced, found, alone, 100.0 * (alone / std::max(traced, 1e-9) - 1.0));
+            EXPECT_NEAR(found, layered_response(layers, 0.0).transmitted[c], 2e-3) << mm;
             EXPECT_NEAR(found, traced, 0.03 + 0.05 * traced) << mm;
         }
+}
+
+TEST(SlabTransmittance, IsThatOfPhotonsWhereTheProfileAloneIsNot) {
+    against_photons_through("skin1", solid_profile({jensen_skin1()}));
+    against_photons_through("three layers", solid_profile(three_layer_skin()));
 }
 
 TEST(SlabTransmittance, CoversBothSides) {

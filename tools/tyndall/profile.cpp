@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -83,15 +85,17 @@ void print_figures(const skin::MadeProfile& made) {
         print_channels("fit error", made.fit_error, "of r R(r), relative RMS");
         print_channels("edge error", made.edge_error, "of a lit half plane, RMS");
     }
-    glm::vec3 width;
+    glm::vec3 width, mean(0.0f);
+    for (const auto& [variance, weight] : made.profile.lobes)
+        mean += weight * (std::sqrt(0.5f * std::numbers::pi_v<float> * variance) / kMm);
+    print_channels("mean distance", mean, "mm");
     for (int c = 0; c < 3; ++c)
         width[c] = float(physics::edge_width([&](double x) { return double(made.profile.edge(float(x))[c]); })) / kMm;
     print_channels("edge, 10 % to 90 %", width, "mm");
     for (const float mm : kThin_mm)
-        print_channels(
-            fmt::format("through {:g} mm", mm).c_str(),
-            made.transmittance ? made.transmittance->at(mm * kMm) : made.profile.through(mm * kMm),
-            made.transmittance ? "of the light that has entered" : "by the profile alone (Jimenez 2010): too little");
+        print_channels(fmt::format("through {:g} mm", mm).c_str(),
+                       made.transmittance ? made.transmittance->at(mm * kMm) : made.profile.through(mm * kMm),
+                       made.transmittance ? "of the light that has entered" : "by the profile alone (Jimenez 2010)");
 }
 
 std::string plot(const physics::DiffusionProfile& profile) {
@@ -103,7 +107,8 @@ std::string plot(const physics::DiffusionProfile& profile) {
     plot.x_label = "distance, mm";
     plot.y_label = "share, 1/mm2";
     plot.front = false;
-    for (const auto& [name, channel] : {std::pair("red", 0), std::pair("green", 1), std::pair("blue", 2)}) {
+    // in the order of the plots' colours, which are blue, red and green
+    for (const auto& [name, channel] : {std::pair("blue", 2), std::pair("red", 0), std::pair("green", 1)}) {
         measure::PlotSeries& series = plot.series.emplace_back();
         series.name = name;
         for (float mm = kNear_mm; mm < kFar_mm; mm *= 1.25f) {
