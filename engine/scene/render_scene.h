@@ -121,7 +121,9 @@ struct Surface {
     bool casts_shadow = true;
     bool collides = false;  ///< a walking viewer collides with it
     std::optional<ScatteringInterior> interior;
-    std::shared_ptr<const SurfaceDiffusion> diffusion;  ///< null = light leaves where it enters
+    /// Null = light leaves where it enters. Where there is an interior as well, that is the truth and this what real time
+    /// takes for it.
+    std::shared_ptr<const SurfaceDiffusion> diffusion;
     Entity entity;
 };
 

@@ -24,8 +24,8 @@ struct Made {
     std::shared_ptr<const SurfaceDiffusion> diffusion;
 };
 
-std::shared_ptr<const Material> skin_material(const Material& from, const SkinComponent& component,
-                                              AssetStore& assets) {
+std::shared_ptr<const Material> skin_material(const Material& from, const SkinComponent& component, AssetStore& assets,
+                                              bool boundary) {
     auto made = std::make_shared<Material>(from);
     set_maps(component.maps, assets, *made);
     made->id = new_asset_id();
@@ -33,7 +33,7 @@ std::shared_ptr<const Material> skin_material(const Material& from, const SkinCo
     made->shading_parameters = {component.lobe_roughness.x, component.lobe_roughness.y, component.second_lobe,
                                 component.specular == Specular::kelemen ? 1.0f : 0.0f};
     made->metallic = 0.0f;
-    made->ior = kSkinIor;
+    if (!boundary) made->ior = kSkinIor;
     return made;
 }
 
@@ -66,8 +66,6 @@ class SkinExtractor {
         for (Surface& surface : scene.surfaces) {
             if (surface.entity.index != context.entity.index || surface.entity.generation != context.entity.generation)
                 continue;
-            if (surface.interior)
-                throw Error("an entity has an interior or is skin, not both: remove one of the components");
             make(context, component, surface, found++);
         }
         if (found == 0) throw Error("skin needs a mesh or a gltf on the same entity");
@@ -86,7 +84,7 @@ class SkinExtractor {
         Made& made = made_[{context.entity.index, context.entity.generation, which}];
         const bool changed = !made.material || made.component != component;
         if (changed || made.material_id != surface.material->id)
-            made.material = skin_material(*surface.material, component, context.assets);
+            made.material = skin_material(*surface.material, component, context.assets, surface.interior.has_value());
         if (made.mesh_id != surface.mesh->id || std::abs(scale - made.scale) > 0.05f * made.scale)
             made.mesh = curved(*surface.mesh, made.scale = scale);
         if (changed) made.diffusion = diffusion_of(component);
@@ -119,7 +117,9 @@ void describe(StructBuilder<SkinComponent>& d) {
     using S = SkinComponent;
     d.doc(
         "Makes the entity's mesh, or all of its gltf, skin: light that enters spreads under it, in millimetres of the "
-        "world, and leaves beside; an oily layer mirrors. Colour and maps are the material's unless given here.");
+        "world, and leaves beside; an oily layer mirrors. Colour and maps are the material's unless given here. With "
+        "an "
+        "interior beside it, the reference path tracer shows that and real time this.");
     d.field("profile", &S::profile, "How light spreads.", profile_names());
     d.field("technique", &S::technique, "What renders it.", technique_names());
     d.field("tint", &S::tint, "An artist's choice: the share of each channel that spreads; 1 is what the profile says.")

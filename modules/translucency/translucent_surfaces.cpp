@@ -18,7 +18,7 @@ const std::vector<std::string>& technique_names() {
 }
 
 bool is_translucent(const Surface& surface) {
-    return surface.mesh && surface.interior && surface.interior->sigma_s_per_m != glm::vec3(0.0f);
+    return surface.mesh && surface.interior && !surface.diffusion && surface.interior->sigma_s_per_m != glm::vec3(0.0f);
 }
 
 bool scatters_once(const Wandering& wandering) {

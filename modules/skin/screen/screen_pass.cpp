@@ -19,6 +19,8 @@ namespace {
 /// Kernels kept between frames.
 constexpr size_t kMostKernels = 32;
 constexpr int kMostTaps = 63;
+/// Kernels are made anew where pixels are larger or smaller by this share.
+constexpr float kSamePixel = 0.01f;
 /// Livermore 2012, figure 51, its weights made to sum to 1 per channel: what stays, and a Gaussian of this variance.
 constexpr float kWideVariance_m2 = 6e-6f;
 const glm::vec3 kWideShare{0.767f, 0.545f, 0.351f / (0.694f + 0.351f)};
@@ -121,24 +123,22 @@ const ScreenPass::Kernel& ScreenPass::kernel_of(const Group& group) {
         group.technique == Technique::two_gaussians ? wide_gaussian(*group.profile) : *group.profile;
     // closer up, where a kernel is many pixels wide, cells stay as many pixels
     const float pixels = reach(profile) / group.pixel_m;
-    const int a_side = std::clamp(std::max(settings_.taps / 2, int(std::ceil(pixels / 3.0f))), 1, kMostTaps / 2);
+    const int a_side = std::clamp(std::max(settings_.taps / 2, int(std::ceil(pixels / 2.0f))), 1, kMostTaps / 2);
     const int count = disc ? settings_.disc_taps : 1 + a_side;
-    // sizes of pixels in steps of a quarter octave, so that kernels last while the camera moves
-    const float least = std::exp2(std::round(4.0f * std::log2(group.pixel_m)) / 4.0f);
     const auto same = [&](const Kernel& kernel) {
-        return kernel.technique == group.technique && kernel.count == count && kernel.least_m == least &&
-               kernel.profile == profile;
+        return kernel.technique == group.technique && kernel.count == count &&
+               std::abs(kernel.least_m - group.pixel_m) <= kSamePixel * group.pixel_m && kernel.profile == profile;
     };
     if (const auto found = std::ranges::find_if(kernels_, same); found != kernels_.end()) return *found;
     if (kernels_.size() >= kMostKernels) kernels_.erase(kernels_.begin());
-    Kernel kernel{group.technique, profile, count, least, {}, {}};
+    Kernel kernel{group.technique, profile, count, group.pixel_m, {}, {}};
     if (disc)
-        for (const DiscTap& tap : disc_kernel(profile, count, least)) {
+        for (const DiscTap& tap : disc_kernel(profile, count, group.pixel_m)) {
             kernel.taps.emplace_back(tap.weight, glm::length(tap.place));
             kernel.places.emplace_back(tap.place, 0.0f, 0.0f);
         }
     else
-        kernel.taps = line_kernel(profile, count - 1, least).taps;
+        kernel.taps = line_kernel(profile, count - 1, group.pixel_m).taps;
     return kernels_.emplace_back(std::move(kernel));
 }
 
@@ -172,10 +172,9 @@ void ScreenPass::pack(PassContext& context, const std::vector<Group>& groups) {
     gpu::draw_fullscreen();
 }
 
-void ScreenPass::gather(PassContext& context, const Group& group, const Kernel& kernel, const char* from, int step,
-                        int steps) {
+void ScreenPass::gather(PassContext& context, const Group& group, const Kernel& kernel, int step) {
     const bool disc = group.technique == Technique::disc;
-    const bool last = step + 1 == steps;
+    const bool last = !disc && step == 1;
     const std::string_view targets[] = {last ? "light_diffuse" : "skin_spread", "scene_depth"};
     const gpu::ProgramDesc desc{
         .name = disc ? "skin.disc" : "skin.line",
@@ -183,7 +182,8 @@ void ScreenPass::gather(PassContext& context, const Group& group, const Kernel& 
         .defines = {fmt::format("TAPS {}", kernel.taps.size()), disc ? "DISC" : "LINE", last ? "LAST" : "FIRST"}};
     context.bind_targets(targets, -1);
     const gpu::Program& program = begin(context, desc);
-    program.texture("from", context.texture(from), {.filter = gpu::Filter::nearest});
+    program.texture("from", context.texture(step == 0 ? "skin_light" : "skin_spread"),
+                    {.filter = gpu::Filter::nearest});
     program.texture("skin_light", context.texture("skin_light"), {.filter = gpu::Filter::nearest});
     for (size_t i = 0; i < kernel.taps.size(); ++i) {
         program.set(fmt::format("taps[{}]", i), kernel.taps[i]);
@@ -198,6 +198,21 @@ void ScreenPass::gather(PassContext& context, const Group& group, const Kernel& 
     gpu::draw_fullscreen();
 }
 
+void ScreenPass::average(PassContext& context, const Group& group, const Kernel& kernel) {
+    static const gpu::ProgramDesc kDesc{.name = "skin.average", .fragment = "skin/screen/average.frag"};
+    static constexpr std::string_view kTargets[] = {"light_diffuse", "scene_depth"};
+    context.bind_targets(kTargets, -1);
+    const gpu::Program& program = begin(context, kDesc);
+    program.texture("from", context.texture("skin_spread"), {.filter = gpu::Filter::nearest});
+    program.texture("skin_light", context.texture("skin_light"), {.filter = gpu::Filter::nearest});
+    program.set("middle", glm::vec3(kernel.taps.front()));
+    program.set("same", 2.0f * reach(kernel.profile));
+    program.set("profile", group.number);
+    program.set("technique", float(group.technique));
+    const Within within(group.low, group.high, group.far);
+    gpu::draw_fullscreen();
+}
+
 void ScreenPass::execute(PassContext& context) {
     if (!settings_.enabled) return;
     tables_->update(context.frame().scene);
@@ -206,12 +221,11 @@ void ScreenPass::execute(PassContext& context) {
     pack(context, seen);
     for (const Group& group : seen) {
         const Kernel& kernel = kernel_of(group);
-        if (group.technique == Technique::disc) {
-            gather(context, group, kernel, "skin_light", 0, 1);
-            continue;
-        }
-        gather(context, group, kernel, "skin_light", 0, 2);
-        gather(context, group, kernel, "skin_spread", 1, 2);
+        gather(context, group, kernel, 0);
+        if (group.technique == Technique::disc)
+            average(context, group, kernel);
+        else
+            gather(context, group, kernel, 1);
     }
 }
 

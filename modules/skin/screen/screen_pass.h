@@ -46,7 +46,8 @@ class ScreenPass final : public Pass {
     const Kernel& kernel_of(const Group& group);
     void pack(PassContext& context, const std::vector<Group>& groups);
     const gpu::Program& begin(PassContext& context, const gpu::ProgramDesc& desc) const;
-    void gather(PassContext& context, const Group& group, const Kernel& kernel, const char* from, int step, int steps);
+    void gather(PassContext& context, const Group& group, const Kernel& kernel, int step);
+    void average(PassContext& context, const Group& group, const Kernel& kernel);
 
     std::shared_ptr<SkinTables> tables_;
     const SkinSettings& settings_;

@@ -9,7 +9,10 @@
 
 uniform sampler2D gbuffer_surface;
 uniform sampler2D from;        // irradiance, metres along the eye's axis; 0 = no skin
+#ifndef DISC
 uniform sampler2D skin_light;  // before any of it
+uniform vec3 share;            // of spread light; the rest stays where it was
+#endif
 uniform vec4 taps[TAPS];       // rgb weight, metres
 #ifdef DISC
 uniform vec4 places[TAPS];  // xy metres
@@ -17,7 +20,6 @@ uniform vec4 places[TAPS];  // xy metres
 uniform float falloff;    // 1 / (2 variance), 1/m2
 uniform float profile;    // this number's pixels
 uniform float technique;  // and this technique's
-uniform vec3 share;       // of spread light; the rest stays where it was
 layout(location = 0) out vec4 result;
 
 vec2 place;            // of the pixel, pixels
@@ -66,11 +68,18 @@ void main() {
     vec3 across = cross(normal, along);
     vec2 across_pixels = (across.xy + plane * across.z) * per_metre;
 
-    light = taps[0].rgb * middle.rgb;
-    total = taps[0].rgb;
 #ifdef DISC
+    // the middle is for what comes after (average.frag), which takes nine pixels' turns together
+    light = total = vec3(0.0);
+    float turn = kTwoPi / 9.0 * float(pixel.x % 3 + 3 * (pixel.y % 3));
+    vec2 turned = vec2(cos(turn), sin(turn));
+    vec2 first_pixels = turned.x * along_pixels + turned.y * across_pixels;
+    across_pixels = turned.x * across_pixels - turned.y * along_pixels;
+    along_pixels = first_pixels;
 #define TAP(i) add(places[i].x * along_pixels + places[i].y * across_pixels, taps[i].w, taps[i].rgb);
 #else
+    light = taps[0].rgb * middle.rgb;
+    total = taps[0].rgb;
 #ifdef LAST
     vec2 direction = across_pixels;
 #else
@@ -81,7 +90,7 @@ void main() {
     for (int i = 1; i < TAPS; ++i) {  // which compilers write out
         TAP(i)
     }
-    light /= max(total, vec3(1e-6));
+    light = mix(middle.rgb, light / max(total, vec3(1e-9)), greaterThan(total, vec3(1e-6)));
 #ifdef LAST
     light = mix(texelFetch(skin_light, pixel, 0).rgb, light, share);
 #endif
