@@ -95,15 +95,15 @@ std::vector<DiscTap> disc_kernel(const physics::DiffusionProfile& profile, int c
     std::vector<DiscTap> taps{{glm::vec2(0.0f), profile.within(middle)}};
     for (int i = 0; i + 1 < count; ++i) {
         const float low = ends[size_t(i)], high = ends[size_t(i) + 1];
-        // the ring's own mean of r^2: a narrower disc would not be as wide as the profile is
+        // the ring's own mean distance: edges are then as wide as the profile's
         constexpr int kParts = 16;
         float moment = 0.0f, sum = 0.0f;
         for (int j = 0; j < kParts; ++j) {
             const float x = low + (high - low) * (float(j) + 0.5f) / kParts, light = ring_light(x);
-            moment += light * x * x;
+            moment += light * x;
             sum += light;
         }
-        const float r = sum > 0.0f ? std::sqrt(moment / sum) : 0.5f * (low + high), angle = kGoldenAngle * float(i);
+        const float r = sum > 0.0f ? moment / sum : 0.5f * (low + high), angle = kGoldenAngle * float(i);
         taps.push_back({r * glm::vec2(std::cos(angle), std::sin(angle)), profile.within(high) - profile.within(low)});
     }
     glm::vec3 total(0.0f);

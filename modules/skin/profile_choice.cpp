@@ -193,7 +193,7 @@ void describe(StructBuilder<GaussiansProfile>& d) {
 }
 
 std::vector<std::string> profile_names() {
-    return {"six_gaussians", "skin1", "skin2", "three_layers", "burley", "layers", "gaussians"};
+    return {"six_gaussians", "skin_1", "skin_2", "three_layers", "burley", "layers", "gaussians"};
 }
 
 std::shared_ptr<const MadeProfile> made_profile(const ProfileChoice& choice) {

@@ -11,7 +11,7 @@
 namespace tyndall::skin {
 namespace {
 
-constexpr size_t kRows = 3;  // a surface's texels: shaders/surfaces.glsl
+constexpr size_t kRows = 4;  // a surface's texels: shaders/surfaces.glsl
 
 /// Share of the normal map that light of each channel does not see, since it spreads over the detail: what the profile
 /// leaves of a wave (its Fourier transform), from 1.
@@ -55,6 +55,7 @@ void SkinTables::update(const RenderScene& scene) {
                                          float(layer_of(*surface.diffusion, layers)));
         rows_[2 * width + i + 1] = glm::vec4(surface.diffusion->pre_scatter, float(profile_of(*surface.diffusion)),
                                              float(technique), surface.diffusion->transmission);
+        rows_[3 * width + i + 1].x = surface.material->ior > 1.0f ? surface.material->specular : 0.0f;
     }
     if (layers != layers_ || responses_.name() == 0) upload_layers(layers);
     if (rows_ != uploaded_rows_ || surfaces_.name() == 0) {

@@ -171,7 +171,7 @@ def capture_files(t):
 
 def profiles(t):
     """Of skin, as text of its own."""
-    t.refused("unknown preset of a profile", ["profile", "--preset", "skin3"], "'skin3'", "did you mean 'skin1'")
+    t.refused("unknown preset of a profile", ["profile", "--preset", "skin_3"], "'skin_3'", "did you mean 'skin_1'")
     t.refused("missing profile", ["profile", "no/such.json"], "no/such.json")
     for name, content, *expected in (
             ("profile of an unknown kind", {"berley": {}}, "did you mean 'burley'"),

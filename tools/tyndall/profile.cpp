@@ -142,7 +142,7 @@ void add_profile(CLI::App& app, Command& command) {
         "profile", "Prints a diffusion profile of the component skin as Gaussians, with its widths and its errors");
     CLI::Option* file = profile->add_option(
         "file", options->file, "JSON with a profile as the component has it: { \"layers\": { \"layers\": [...] } }");
-    CLI::Option* named = profile->add_option("--preset", options->preset, "A kind of profile by its name: skin1");
+    CLI::Option* named = profile->add_option("--preset", options->preset, "A kind of profile by its name: skin_1");
     file->excludes(named);
     profile->add_option("--out", options->out, "Where to write the Gaussians as JSON; without it, they are printed");
     profile->add_option("--plot", options->plot, "Where to draw it: an SVG file");

@@ -62,7 +62,7 @@ LightTerms skin_shading_model(ShadingPoint s, LightSample l) {
                                 0.0).x;
     LightTerms terms;
     vec3 arriving = l.unshadowed * skin_shadow(l.transmittance, skin_shadow_border(s.position, nol), skin.response);
-    terms.diffuse = arriving * skin_response(cosines, mesh.curvature, skin.response) * entering;
+    terms.diffuse = arriving * skin_response(cosines, mesh.curvature, skin.response) * mix(1.0, entering, skin.mirror);
 
     vec3 sum = l.direction_to_light + s.view;
     float h2 = max(dot(sum, sum), 1e-12);

@@ -9,6 +9,7 @@ struct SkinSurface {
     float profile;      // number of the profile, from 1 on; 0 = no skin
     float technique;
     float transmission;
+    float mirror;  // strength of the mirror, 0..1
 };
 
 SkinSurface skin_surface(float number) {
@@ -16,5 +17,6 @@ SkinSurface skin_surface(float number) {
     vec4 layer = texelFetch(skin_surfaces, ivec2(at, 0), 0);
     vec4 diffuse = texelFetch(skin_surfaces, ivec2(at, 1), 0);
     vec4 spread = texelFetch(skin_surfaces, ivec2(at, 2), 0);
-    return SkinSurface(layer, diffuse.xyz, diffuse.w, spread.x, spread.y, spread.z, spread.w);
+    float mirror = texelFetch(skin_surfaces, ivec2(at, 3), 0).x;
+    return SkinSurface(layer, diffuse.xyz, diffuse.w, spread.x, spread.y, spread.z, spread.w, mirror);
 }
