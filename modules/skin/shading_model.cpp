@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "oily_layer.h"
 #include "physics/physics.h"
-#include "physics/tables.h"
 #include "render/frame.h"
 
 namespace tyndall::skin {
@@ -44,6 +44,7 @@ gpu::Texture table(const std::vector<glm::vec4>& texels, int width, int height, 
 void SkinTables::update(const RenderScene& scene) {
     const size_t width = scene.surfaces.size() + 1;
     std::vector<Layer> layers{{Technique::lambert, {}}};
+    std::vector<glm::vec4> parameters{glm::vec4(1.0f, 1.0f, 0.0f, 0.0f)};
     rows_.assign(kRows * width, glm::vec4(0.0f));
     profiles_.clear();
     for (size_t i = 0; i < scene.surfaces.size(); ++i) {
@@ -55,8 +56,13 @@ void SkinTables::update(const RenderScene& scene) {
                                          float(layer_of(*surface.diffusion, layers)));
         rows_[2 * width + i + 1] = glm::vec4(surface.diffusion->pre_scatter, float(profile_of(*surface.diffusion)),
                                              float(technique), surface.diffusion->transmission);
-        rows_[3 * width + i + 1].x = surface.material->ior > 1.0f ? surface.material->specular : 0.0f;
+        auto mirror = std::ranges::find(parameters, surface.material->shading_parameters);
+        if (mirror == parameters.end())
+            mirror = parameters.insert(parameters.end(), surface.material->shading_parameters);
+        rows_[3 * width + i + 1] = {surface.material->ior > 1.0f ? surface.material->specular : 0.0f,
+                                    float(mirror - parameters.begin()), 0.0f, 0.0f};
     }
+    if (parameters != parameters_ || mirrors_.name() == 0) upload_layer_tables(parameters);
     if (layers != layers_ || responses_.name() == 0) upload_layers(layers);
     if (rows_ != uploaded_rows_ || surfaces_.name() == 0) {
         surfaces_ = table(rows_, int(width), int(kRows), "skin surfaces");
@@ -110,31 +116,15 @@ void SkinTables::upload_layers(const std::vector<Layer>& layers) {
     layers_ = layers;
 }
 
-/// Of a Lambertian base under the layer: what enters at an angle over what enters of even light, so that bouncing in
-/// and out loses nothing (Ashikhmin & Shirley 2000 have the same idea). By cosine and roughness, as the specular table.
-void SkinTables::upload_entering() {
-    constexpr int kSize = physics::SpecularTable::kSize;
-    const physics::SpecularTable albedo = physics::make_specular_table();
-    const float f0 = physics::f0_from_eta(1.4f);
-    std::vector<float> texels(size_t(kSize) * kSize);
-    for (int y = 0; y < kSize; ++y) {
-        const auto entering = [&](float cosine) {
-            const glm::vec2 pair = albedo.sample(cosine, float(y) / float(kSize - 1));
-            return 1.0f - (f0 * pair.x + pair.y);
-        };
-        constexpr int kSteps = 128;
-        float mean = 0.0f;
-        for (int i = 0; i < kSteps; ++i) {
-            const float cosine = (float(i) + 0.5f) / kSteps;
-            mean += 2.0f * cosine * entering(cosine) / kSteps;
-        }
-        for (int x = 0; x < kSize; ++x) {
-            const float root = float(x) / float(kSize - 1);
-            texels[size_t(y) * kSize + size_t(x)] = entering(root * root) / mean;
-        }
-    }
-    entering_ = gpu::Texture({.format = gpu::Format::r32f, .width = kSize, .height = kSize}, "skin entering");
-    entering_.upload(0, 0, texels.data());
+void SkinTables::upload_layer_tables(const std::vector<glm::vec4>& parameters) {
+    mirrors_ = gpu::Texture({.shape = gpu::Shape::array,
+                             .format = gpu::Format::rg32f,
+                             .width = OilyLayer::kSize,
+                             .height = OilyLayer::kSize,
+                             .layers = int(parameters.size())},
+                            "skin mirrors");
+    for (size_t i = 0; i < parameters.size(); ++i) mirrors_.upload(0, int(i), oily_layer(parameters[i]).texels.data());
+    parameters_ = parameters;
 }
 
 void SkinTables::bind_surfaces(const gpu::Program& program, const RenderScene& scene) {
@@ -144,10 +134,9 @@ void SkinTables::bind_surfaces(const gpu::Program& program, const RenderScene& s
 
 void SkinTables::bind(const gpu::Program& program, const RenderScene& scene) {
     bind_surfaces(program, scene);
-    if (entering_.name() == 0) upload_entering();
     program.texture("skin_responses", responses_, {.filter = gpu::Filter::linear});
     program.texture("skin_shadows", shadows_, {.filter = gpu::Filter::linear});
-    program.texture("skin_entering", entering_, {.filter = gpu::Filter::linear});
+    program.texture("skin_mirrors", mirrors_, {.filter = gpu::Filter::linear});
 }
 
 SeamProvider shading_model(std::shared_ptr<SkinTables> tables) {

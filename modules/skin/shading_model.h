@@ -34,12 +34,13 @@ class SkinTables {
     size_t layer_of(const SurfaceDiffusion& diffusion, std::vector<Layer>& layers) const;
     size_t profile_of(const SurfaceDiffusion& diffusion);
     void upload_layers(const std::vector<Layer>& layers);
-    void upload_entering();
+    void upload_layer_tables(const std::vector<glm::vec4>& parameters);
 
     std::vector<const physics::DiffusionProfile*> profiles_;
     std::vector<glm::vec4> rows_, uploaded_rows_;
     std::vector<Layer> layers_;
-    gpu::Texture surfaces_, responses_, shadows_, entering_;
+    std::vector<glm::vec4> parameters_;
+    gpu::Texture surfaces_, responses_, shadows_, mirrors_;
 };
 
 /// The provider of Seam::shading_model.

@@ -182,5 +182,47 @@ TEST_F(SkinScreenTest, WidthsAreMillimetresOfTheWorld) {
         }
 }
 
+/// A white sheet under many suns of one radiance from everywhere.
+class SkinFurnaceTest : public SkinScreenTest {
+ protected:
+    /// Radiance of the sheet where the eye sees it at an angle to its normal, over the suns'.
+    float radiance(float angle_deg, float roughness, const std::string& specular) {
+        constexpr int kSuns = 500;
+        std::string suns;
+        for (int i = 0; i < kSuns; ++i) {
+            const float z = (float(i) + 0.5f) / kSuns, r = std::sqrt(1.0f - z * z), turn = 2.39996323f * float(i);
+            suns += fmt::format(
+                R"({{"transform": {{"translation": [{}, {}, {}], "look_at": [0, 0, 0]}}, "directional_light": {{"illuminance_lux": {}}}}},)",
+                r * std::cos(turn), r * std::sin(turn), z, 2.0f * std::numbers::pi_v<float> / kSuns);
+        }
+        const std::filesystem::path file = folder_ / "furnace.json";
+        std::ofstream(file) << fmt::format(
+            R"({{"tyndall": 1, "modules": ["skin"], "render": {{"image": {{"antialiasing": "none"}}}}, "entities": [{}
+          {{"name": "Camera", "transform": {{"translation": [{}, 0, {}], "look_at": [0, 0, 0]}},
+           "camera": {{"vertical_fov_deg": 1, "exposure": 1, "near_m": 0.001}}}},
+          {{"name": "Sheet", "transform": {{"scale": [4, 4, 0.000001]}}, "mesh": {{"primitive": "box"}},
+           "material": {{"base_colour": [1, 1, 1], "roughness": {}}}, "skin": {{"specular": "{}"}}}}]}})",
+            suns, std::sin(angle_deg * kDegree), std::cos(angle_deg * kDegree), roughness, specular);
+        Engine engine(true);
+        engine.load_scene(file, {});
+        engine.renderer().retain({"radiance"});
+        engine.renderer().render(engine.extract(), {8, 8});
+        EXPECT_EQ(engine.problems(), "");
+        return centre(picture(*engine.renderer().target("radiance"))).x;
+    }
+};
+
+TEST_F(SkinFurnaceTest, WhiteSkinGivesBackWhatComes) {
+    for (const char* specular : {"two_lobes", "kelemen"})
+        for (const float roughness : {0.35f, 0.5f, 0.7f})
+            for (const float angle : {0.0f, 45.0f, 70.0f}) {
+                const float light = radiance(angle, roughness, specular);
+                std::printf("%s, roughness %.2f, %.0f degrees: %.4f\n", specular, double(roughness), double(angle),
+                            double(light));
+                EXPECT_LE(light, 1.005f) << "500 suns are not quite even";
+                EXPECT_GE(light, 0.95f);
+            }
+}
+
 }  // namespace
 }  // namespace tyndall::skin

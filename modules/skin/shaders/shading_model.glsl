@@ -7,7 +7,7 @@
 uniform sampler2D skin_gbuffer_surface;
 uniform sampler2DArray skin_responses;
 uniform sampler2DArray skin_shadows;
-uniform sampler2D skin_entering;
+uniform sampler2DArray skin_mirrors;  // oily_layer.h
 
 /// Widest border of a shadow in the table, metres (ShadowResponse::kWidest_m).
 const float SKIN_WIDEST_SHADOW = 0.02;
@@ -48,6 +48,11 @@ vec3 skin_response(vec3 cosines, float curvature, float layer) {
                 texture(skin_responses, vec3(u.z, v, layer)).b);
 }
 
+vec2 skin_mirror_at(float cosine, float roughness, float layer) {
+    vec2 at = standard_table_coordinate(cosine, roughness, float(textureSize(skin_mirrors, 0).x));
+    return textureLod(skin_mirrors, vec3(at, layer), 0.0).xy;
+}
+
 LightTerms skin_shading_model(ShadingPoint s, LightSample l) {
     SurfacePoint mesh = decode_surface_point(texelFetch(skin_gbuffer_surface, ivec2(gl_FragCoord.xy), 0));
     SkinSurface skin = skin_surface(mesh.number);
@@ -57,9 +62,7 @@ LightTerms skin_shading_model(ShadingPoint s, LightSample l) {
     // the cosine of the blend of both normals, brought to unit length
     vec3 cosines = mix(vec3(nol), vec3(dot(mesh.normal, l.direction_to_light)), flat_share) *
                    inversesqrt(max(1.0 - 2.0 * flat_share * (1.0 - flat_share) * (1.0 - both), 0.01));
-    float entering = textureLod(skin_entering,
-                                standard_table_coordinate(max(nol, 0.0), s.roughness, float(textureSize(skin_entering, 0).x)),
-                                0.0).x;
+    float entering = skin_mirror_at(max(nol, 0.0), s.roughness, skin.mirror_layer).x;
     LightTerms terms;
     vec3 arriving = l.unshadowed * skin_shadow(l.transmittance, skin_shadow_border(s.position, nol), skin.response);
     terms.diffuse = arriving * skin_response(cosines, mesh.curvature, skin.response) * mix(1.0, entering, skin.mirror);
@@ -74,6 +77,7 @@ LightTerms skin_shading_model(ShadingPoint s, LightSample l) {
     float second = ggx_distribution(s.normal, h, alpha.y) * ggx_visibility(lit, nov, alpha.y);
     float kelemen = skin_kelemen(max(dot(s.normal, h), 1e-3), h2, s.roughness);
     float lobe = skin.layer.w > 0.5 ? kelemen : mix(first, second, skin.layer.z);
+    lobe *= skin_mirror_at(nov, s.roughness, skin.mirror_layer).y;
     vec3 mirrored = l.irradiance * (max(nol, 0.0) * lobe);
     float w = schlick_weight(dot(s.view, h));
     terms.specular_a = mirrored * (1.0 - w);

@@ -9,7 +9,8 @@ struct SkinSurface {
     float profile;      // number of the profile, from 1 on; 0 = no skin
     float technique;
     float transmission;
-    float mirror;  // strength of the mirror, 0..1
+    float mirror;        // strength of the mirror, 0..1
+    float mirror_layer;  // of skin_mirrors
 };
 
 SkinSurface skin_surface(float number) {
@@ -17,6 +18,6 @@ SkinSurface skin_surface(float number) {
     vec4 layer = texelFetch(skin_surfaces, ivec2(at, 0), 0);
     vec4 diffuse = texelFetch(skin_surfaces, ivec2(at, 1), 0);
     vec4 spread = texelFetch(skin_surfaces, ivec2(at, 2), 0);
-    float mirror = texelFetch(skin_surfaces, ivec2(at, 3), 0).x;
-    return SkinSurface(layer, diffuse.xyz, diffuse.w, spread.x, spread.y, spread.z, spread.w, mirror);
+    vec2 mirror = texelFetch(skin_surfaces, ivec2(at, 3), 0).xy;
+    return SkinSurface(layer, diffuse.xyz, diffuse.w, spread.x, spread.y, spread.z, spread.w, mirror.x, mirror.y);
 }
