@@ -1,6 +1,7 @@
 #pragma once
 /// A surface laid out flat by its UVs: which place each texel of a map holds, and how far apart texels are.
 
+#include <array>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -36,6 +37,8 @@ struct GutterTexel {
     glm::vec2 source{0.0f};  ///< where that lies, texels from the map's corner
     TexelSteps steps;        ///< as inside of the border
     uint32_t chart = 0;      ///< the chart whose border it is at; 0 = it only pads an open one for bilinear lookups
+    std::array<glm::ivec2, 4> taps{};  ///< covered texels that a bilinear lookup of the source is made of
+    std::array<float, 4> weights{};    ///< of the taps; their sum is 1
 };
 
 /// Texels beyond a chart's border that show what lies across it; as many lie around the square of the UVs.

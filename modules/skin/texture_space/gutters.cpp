@@ -48,6 +48,7 @@ class GutterMaker {
             if (border.twin >= 0) cross_border(border);
         take_steps_of_the_inside();
         pad();
+        for (GutterTexel& gutter : atlas_.gutters) find_taps(gutter);
     }
 
  private:
@@ -57,9 +58,11 @@ class GutterMaker {
         float distance = 0.0f;   ///< to there, texels
     };
 
+    [[nodiscard]] bool on_map(const glm::ivec2& at) const {
+        return at.x >= 0 && at.y >= 0 && at.x < atlas_.extent() && at.y < atlas_.extent();
+    }
     [[nodiscard]] uint32_t owner(const glm::ivec2& at) const {
-        const bool on_map = at.x >= 0 && at.y >= 0 && at.x < atlas_.extent() && at.y < atlas_.extent();
-        return on_map ? owners_[atlas_.index(at)] : 0;
+        return on_map(at) ? owners_[atlas_.index(at)] : 0;
     }
     [[nodiscard]] Edge edge_of(const ChartBorder& border, uint32_t begin, uint32_t end) const {
         Edge edge;
@@ -87,8 +90,15 @@ class GutterMaker {
                 if (owner(at) != 0) continue;
                 const glm::vec2 offset = glm::vec2(at) + 0.5f - edge.begin;
                 const glm::vec2 source = other.begin + to_other * offset;
-                if (owner(glm::ivec2(glm::floor(source))) == twin.chart) offer(at, edge, offset, source, border.chart);
+                if (shows(source, twin.chart)) offer(at, edge, offset, source, border.chart);
             }
+    }
+
+    /// Whether a bilinear lookup there finds a texel of the chart.
+    [[nodiscard]] bool shows(const glm::vec2& source, uint32_t chart) const {
+        const glm::ivec2 low(glm::floor(source - 0.5f));
+        return owner(low) == chart || owner(low + 1) == chart || owner(low + glm::ivec2(1, 0)) == chart ||
+               owner(low + glm::ivec2(0, 1)) == chart;
     }
 
     /// Keeps it where no border is nearer.
@@ -103,7 +113,7 @@ class GutterMaker {
             number = int(found_.size());
             found_.emplace_back();
         }
-        found_[size_t(number)] = {{at, source, {}, chart}, edge.begin + share * edge.along, distance};
+        found_[size_t(number)] = {{at, source, {}, chart, {}, {}}, edge.begin + share * edge.along, distance};
     }
 
     /// The texel of a chart nearest to a place at its border; -1 without one near by.
@@ -126,13 +136,13 @@ class GutterMaker {
     void take_steps_of_the_inside() {
         std::vector<int> texel_at(owners_.size(), -1);
         for (size_t i = 0; i < atlas_.texels.size(); ++i) texel_at[atlas_.index(atlas_.texels[i].at)] = int(i);
-        std::ranges::sort(found_, {}, [](const Found& f) { return std::pair(f.texel.at.y, f.texel.at.x); });
         for (Found& found : found_) {
             const int nearest = nearest_texel(found.border, found.texel.chart, 2);
             if (nearest < 0) continue;
             found.texel.steps = atlas_.texels[size_t(texel_at[size_t(nearest)])].steps;
             atlas_.gutters.push_back(found.texel);
         }
+        std::ranges::sort(atlas_.gutters, {}, [](const GutterTexel& g) { return std::pair(g.at.y, g.at.x); });
     }
 
     /// Texels beside a chart that have nothing yet, so that bilinear lookups at its border find something.
@@ -151,6 +161,35 @@ class GutterMaker {
                 atlas_.gutters.push_back(gutter);
                 ++atlas_.padding;
             }
+    }
+
+    /// Where a texel of a lookup is not covered, what it shows across the border takes its place: else what lies there
+    /// would be as far off as the border is from the first texel's middle.
+    void find_taps(GutterTexel& gutter) const {
+        const glm::vec2 place = gutter.source - 0.5f, low = glm::floor(place), f = place - low;
+        float sum = 0.0f;
+        for (int i = 0; i < 4; ++i) {
+            const glm::ivec2 corner(i % 2, i / 2), tap = glm::ivec2(low) + corner;
+            float weight = (corner.x == 0 ? 1.0f - f.x : f.x) * (corner.y == 0 ? 1.0f - f.y : f.y);
+            glm::ivec2 covered = tap;
+            if (owner(tap) == 0) {
+                const int number = on_map(tap) ? numbers_[atlas_.index(tap)] : -1;
+                if (gutter.chart == 0 || number < 0) weight = 0.0f;
+                if (number >= 0) covered = across(found_[size_t(number)].texel.source);
+            }
+            gutter.taps[size_t(i)] = glm::clamp(covered, 0, atlas_.extent() - 1);
+            gutter.weights[size_t(i)] = weight;
+            sum += weight;
+        }
+        for (float& weight : gutter.weights) weight /= std::max(sum, 1e-6f);
+        if (sum > 1e-6f) return;
+        gutter.taps[0] = across(gutter.source);
+        gutter.weights = {1.0f, 0.0f, 0.0f, 0.0f};
+    }
+
+    [[nodiscard]] glm::ivec2 across(const glm::vec2& source) const {
+        const int nearest = std::max(nearest_texel(source, 0, 1), 0);
+        return {nearest % atlas_.extent(), nearest / atlas_.extent()};
     }
 
     const Mesh& mesh_;

@@ -1,0 +1,40 @@
+#pragma once
+/// An atlas on the GPU: lists of its texels for compute shaders (shaders/texture_space/atlas.glsl).
+
+#include <string_view>
+
+#include "gpu/gpu.h"
+#include "texture_space/atlas.h"
+
+namespace tyndall::skin {
+
+/// Rows of this many entries.
+inline constexpr int kListColumns = 1024;
+
+struct GpuAtlas {
+    GpuAtlas() = default;
+    /// `surface`: with the places and normals too.
+    GpuAtlas(const Atlas& atlas, bool surface);
+
+    gpu::Texture steps;    ///< covered texels, then gutters without padding: TexelSteps, place on the map
+    gpu::Texture charts;   ///< the same: number of the chart
+    gpu::Texture taps;     ///< gutters, padding last: places on the map of the four that they are made of
+    gpu::Texture weights;  ///< the same: of the first three taps, and the gutter's place on the map
+    gpu::Texture gutter_charts;
+    gpu::Texture places;  ///< covered texels: in the mesh's space
+    gpu::Texture normals;
+    int extent = 0;
+    int covered = 0;
+    int gutters = 0;  ///< without padding
+    int padding = 0;
+
+    /// A map of this atlas, black.
+    [[nodiscard]] gpu::Texture make_map(std::string_view label, gpu::Format format = gpu::Format::rgba32f) const;
+};
+
+/// A compute shader for `count` entries of a list, with what follows waiting for it.
+void dispatch_list(int count);
+/// Binds as an image, or as a texture without filter, whichever the program has.
+void bind_list(const gpu::Program& program, std::string_view name, const gpu::Texture& texture);
+
+}  // namespace tyndall::skin
