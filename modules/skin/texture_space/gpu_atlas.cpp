@@ -40,8 +40,8 @@ GpuAtlas::GpuAtlas(const Atlas& atlas, bool surface)
     for (const AtlasTexel& texel : atlas.texels) {
         step_list.push_back(packed(texel.steps, texel.at));
         chart_list.push_back(float(texel.chart));
-        place_list.emplace_back(texel.position, texel.area);
-        normal_list.emplace_back(texel.normal, 0.0f);
+        place_list.emplace_back(texel.position, packed(texel.at));
+        normal_list.emplace_back(texel.normal, float(texel.chart));
     }
     for (const GutterTexel& gutter : atlas.gutters) {
         tap_list.emplace_back(packed(gutter.taps[0]), packed(gutter.taps[1]), packed(gutter.taps[2]),

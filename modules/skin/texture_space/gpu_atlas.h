@@ -21,8 +21,8 @@ struct GpuAtlas {
     gpu::Texture taps;     ///< gutters, padding last: places on the map of the four that they are made of
     gpu::Texture weights;  ///< the same: of the first three taps, and the gutter's place on the map
     gpu::Texture gutter_charts;
-    gpu::Texture places;  ///< covered texels: in the mesh's space
-    gpu::Texture normals;
+    gpu::Texture places;   ///< covered texels: in the mesh's space, place on the map
+    gpu::Texture normals;  ///< the same: in the mesh's space, chart
     int extent = 0;
     int covered = 0;
     int gutters = 0;  ///< without padding

@@ -122,7 +122,7 @@ void LobeBlurs::blur(gpu::ShaderLibrary& shaders, const LobeBlur& lobe, const gl
 void LobeBlurs::half_blur(gpu::ShaderLibrary& shaders, const LobeBlur& lobe, const glm::vec3& sharp,
                           bool along_u) const {
     const Level& level = levels_[size_t(lobe.level)];
-    std::vector<std::string> defines{fmt::format("RADIUS {}", lobe.radius)};
+    std::vector<std::string> defines;
     if (along_u) defines.emplace_back("ALONG_U");
     if (leans_) defines.emplace_back("LEANS");
     const gpu::Program& program = use(shaders, "blur", std::move(defines));
@@ -130,11 +130,10 @@ void LobeBlurs::half_blur(gpu::ShaderLibrary& shaders, const LobeBlur& lobe, con
     program.image("map", level.light, 0, true);
     program.image("other", level.half, 0, true);
     bind_list(program, "steps", level.atlas.steps);
-    bind_list(program, "charts", level.atlas.charts);
     program.texture("kernels", kernels_, {.filter = gpu::Filter::linear});
     program.set("variance", lobe.variance_m2);
     program.set("less", lobe.less_texels2);
-    program.set("widest", widest_variance(lobe.radius));
+    program.set("most_taps", lobe.radius);
     program.set("list_size", unsigned(count));
     if (!along_u) {
         program.image("total", level.total, 0, true);

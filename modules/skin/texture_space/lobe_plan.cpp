@@ -39,12 +39,6 @@ float variance_of(float q, int radius) {
     return float(second / sum);
 }
 
-/// q where the Gaussian is cut off at 2.2 standard deviations.
-float widest_base(int radius) {
-    const float deviation = float(radius) / 2.2f;
-    return std::exp(-0.5f / (deviation * deviation));
-}
-
 }  // namespace
 
 LobePlan plan_lobes(const physics::DiffusionProfile& profile, const LobeMap& map) {
@@ -79,16 +73,13 @@ LobePlan plan_lobes(const physics::DiffusionProfile& profile, const LobeMap& map
     return plan;
 }
 
-float widest_variance(int radius) {
-    return variance_of(widest_base(radius), radius);
-}
-
 std::vector<float> kernel_bases(int radius) {
     std::vector<float> bases;
-    const float widest = widest_variance(radius);
+    const float deviation = float(radius) / kCutOff;
+    const float most = std::exp(-0.5f / (deviation * deviation));
     for (int column = 0; column < kKernelColumns; ++column) {
-        const float wanted = widest * float(column) / float(kKernelColumns - 1);
-        float low = 0.0f, high = widest_base(radius);
+        const float wanted = deviation * deviation * float(column) / float(kKernelColumns - 1);
+        float low = 0.0f, high = most;
         for (int i = 0; i < 30; ++i) {
             const float middle = 0.5f * (low + high);
             (variance_of(middle, radius) < wanted ? low : high) = middle;

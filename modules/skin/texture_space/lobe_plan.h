@@ -37,10 +37,11 @@ inline constexpr int kMaxRadius = 6;
 /// more: what going there and back spreads is taken off.
 [[nodiscard]] LobePlan plan_lobes(const physics::DiffusionProfile& profile, const LobeMap& map);
 
-/// For a blur of `radius` taps a side with weights q^(i^2): the q whose variance is that of each column, from 0 to
-/// `widest_variance`.
+/// For a blur of `radius` taps a side with weights q^(i^2): the q whose variance is that of each column, in texels
+/// squared from 0 to (radius / kCutOff)^2; the same from where the Gaussian would be cut off nearer than at kCutOff
+/// standard deviations.
 inline constexpr int kKernelColumns = 64;
-[[nodiscard]] float widest_variance(int radius);
+inline constexpr float kCutOff = 2.2f;
 [[nodiscard]] std::vector<float> kernel_bases(int radius);
 
 }  // namespace tyndall::skin
