@@ -20,7 +20,8 @@ void validate(const Mesh& mesh, const std::string& source) {
     const size_t count = mesh.positions.size();
     if (count == 0 || mesh.indices.empty()) fail("the mesh has no triangles");
     if (mesh.indices.size() % 3 != 0) fail("the number of indices is not a multiple of 3");
-    for (const size_t length : {mesh.normals.size(), mesh.tangents.size(), mesh.uv0.size(), mesh.uv1.size()})
+    for (const size_t length :
+         {mesh.normals.size(), mesh.tangents.size(), mesh.uv0.size(), mesh.uv1.size(), mesh.curvatures.size()})
         if (length != 0 && length != count)
             fail(fmt::format("an attribute has {} values for {} vertices", length, count));
     for (const std::uint32_t index : mesh.indices)

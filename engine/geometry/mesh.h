@@ -21,6 +21,7 @@ struct Mesh {
     std::vector<glm::vec4> tangents;   ///< unit length, orthogonal to the normal; bitangent = w cross(normal, tangent)
     std::vector<glm::vec2> uv0;        ///< glTF's convention: (0, 0) is the picture's top left
     std::vector<glm::vec2> uv1;
+    std::vector<float> curvatures;       ///< 1/m; made by compute_curvatures for what needs it
     std::vector<std::uint32_t> indices;  ///< three for each triangle, counter-clockwise from outside
     Bounds bounds;                       ///< of the positions
 

@@ -3,9 +3,9 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <span>
-#include <tuple>
 
 #include "geometry/mesh.h"
+#include "geometry/places.h"
 #include "geometry/vertex_split.h"
 
 namespace tyndall {
@@ -13,21 +13,6 @@ namespace {
 
 /// Faces around a point beyond which creases are not looked for: the search is quadratic.
 constexpr size_t kMostBlended = 2000;
-
-/// For each vertex a number that it shares with all vertices in the same place; returns how many places there are.
-size_t number_places(const std::vector<glm::vec3>& positions, std::vector<std::uint32_t>& places) {
-    std::vector<std::uint32_t> order(positions.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto key = [&](std::uint32_t i) { return std::tuple(positions[i].x, positions[i].y, positions[i].z); };
-    std::ranges::sort(order, {}, key);
-    places.resize(positions.size());
-    std::uint32_t count = 0;
-    for (size_t i = 0; i < order.size(); ++i) {
-        if (i > 0 && key(order[i]) != key(order[i - 1])) ++count;
-        places[order[i]] = count;
-    }
-    return order.empty() ? 0 : count + 1;
-}
 
 glm::vec3 unit_or_zero(glm::vec3 v) {
     const float length = glm::length(v);

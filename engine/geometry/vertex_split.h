@@ -56,6 +56,7 @@ inline void gather_vertices(Mesh& mesh, const std::vector<std::uint32_t>& source
     mesh.tangents = gathered(mesh.tangents, sources);
     mesh.uv0 = gathered(mesh.uv0, sources);
     mesh.uv1 = gathered(mesh.uv1, sources);
+    mesh.curvatures = gathered(mesh.curvatures, sources);
 }
 
 }  // namespace tyndall

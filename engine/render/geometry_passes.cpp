@@ -16,8 +16,8 @@ void declare_lit_points(PassDeclaration& declaration) {
         .writes("scene_depth", {.format = gpu::Format::depth32f, .clear = kZero}, "reversed-Z depth, 0 = nothing")
         .writes("gbuffer_normal", {.format = gpu::Format::rgba16, .clear = kZero},
                 "octahedral normal, roughness, shading model and occlusion")
-        .writes("gbuffer_surface", {.format = gpu::Format::r32f, .clear = kZero},
-                "which surface of the scene is seen, from 1 on; 0 = nothing");
+        .writes("gbuffer_surface", {.format = gpu::Format::rgba16, .clear = kZero},
+                "which surface of the scene is seen, its curvature, octahedral normal without the normal map");
 }
 
 DrawView camera_view(const Frame& frame) {

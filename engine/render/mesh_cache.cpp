@@ -11,9 +11,10 @@ enum Binding : GLuint { kPositions, kAttributes, kInstances };
 
 GpuMesh upload(const MeshAsset& asset) {
     const Mesh& mesh = asset.mesh;
-    std::vector<MeshVertex> vertices(mesh.positions.size(), MeshVertex{{0, 1, 0}, {1, 0, 0, 1}, {0, 0}, {0, 0}});
+    std::vector<MeshVertex> vertices(mesh.positions.size(), MeshVertex{{0, 1, 0}, 0, {1, 0, 0, 1}, {0, 0}, {0, 0}});
     for (size_t i = 0; i < vertices.size(); ++i) {
         if (i < mesh.normals.size()) vertices[i].normal = mesh.normals[i];
+        if (i < mesh.curvatures.size()) vertices[i].curvature = mesh.curvatures[i];
         if (i < mesh.tangents.size()) vertices[i].tangent = mesh.tangents[i];
         if (i < mesh.uv0.size()) vertices[i].uv0 = mesh.uv0[i];
         if (i < mesh.uv1.size()) vertices[i].uv1 = mesh.uv1[i];
@@ -45,6 +46,7 @@ void MeshCache::create_format() {
     attribute(2, 4, offsetof(MeshVertex, tangent), kAttributes);
     attribute(3, 2, offsetof(MeshVertex, uv0), kAttributes);
     attribute(4, 2, offsetof(MeshVertex, uv1), kAttributes);
+    attribute(6, 1, offsetof(MeshVertex, curvature), kAttributes);
     glEnableVertexArrayAttrib(vertex_array_, 5);
     glVertexArrayAttribIFormat(vertex_array_, 5, 1, GL_UNSIGNED_INT, 0);
     glVertexArrayAttribBinding(vertex_array_, 5, kInstances);

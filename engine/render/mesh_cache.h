@@ -20,6 +20,7 @@ struct GpuMesh {
 /// What a vertex has besides its position.
 struct MeshVertex {
     glm::vec3 normal;
+    float curvature;    ///< 1 over the mesh's unit
     glm::vec4 tangent;  ///< w: sign of the bitangent
     glm::vec2 uv0;
     glm::vec2 uv1;

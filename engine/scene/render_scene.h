@@ -21,6 +21,7 @@
 #include "ecs/world.h"
 #include "geometry/mesh.h"
 #include "image/image.h"
+#include "physics/diffusion_profile.h"
 #include "scene/scattering.h"
 
 namespace tyndall {
@@ -63,6 +64,7 @@ struct Material {
     uint64_t id = 0;  ///< unique in the process; changes when the content does
     std::string name;
     std::string shading_model = "standard";  ///< provider of the shading-model seam
+    glm::vec4 shading_parameters{0.0f};      ///< what that model makes of them
     glm::vec4 base_colour{1.0f};
     float metallic = 0.0f;
     float roughness = 1.0f;  ///< perceptual; GGX alpha = roughness^2
@@ -98,6 +100,17 @@ struct ScatteringInterior {
     std::string technique = "auto";  ///< what the scene asks to render it with in real time, by a module's names
 };
 
+/// Light that enters the surface spreads under it and leaves beside (skin): what is thick and even compared with how
+/// far light gets. The material's base colour is what comes back of diffuse light in all. Solvers that do not know it
+/// have light leave where it enters.
+struct SurfaceDiffusion {
+    physics::DiffusionProfile profile;  ///< metres of the world
+    float pre_scatter = 0.5f;   ///< base colour to this power counts where light enters, the rest where it leaves
+    float transmission = 1.0f;  ///< share of what comes through thin parts that is shown
+    float detail_m = 0.001f;    ///< wavelength of what the normal map adds
+    std::string technique;      ///< what the scene asks to render it with in real time, by a module's names
+};
+
 /// A mesh placed in the world.
 struct Surface {
     std::shared_ptr<const MeshAsset> mesh;
@@ -108,6 +121,7 @@ struct Surface {
     bool casts_shadow = true;
     bool collides = false;  ///< a walking viewer collides with it
     std::optional<ScatteringInterior> interior;
+    std::shared_ptr<const SurfaceDiffusion> diffusion;  ///< null = light leaves where it enters
     Entity entity;
 };
 

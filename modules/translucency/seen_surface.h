@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "interior_block.h"
-#include "pixels.h"
 #include "render/frame_graph.h"
+#include "render/pixel_rectangle.h"
 #include "render/specular_table.h"
 #include "translucent_surfaces.h"
 

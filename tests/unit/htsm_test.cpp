@@ -9,7 +9,7 @@
 #include "htsm/object_grid.h"
 #include "htsm/solid.h"
 #include "phase_table.h"
-#include "pixels.h"
+#include "render/pixel_rectangle.h"
 #include "scene/primitives.h"
 
 namespace tyndall::translucency {

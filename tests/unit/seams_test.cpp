@@ -25,7 +25,7 @@ class SeamsTest : public GpuTest {
         write("sky", "sky", "vec4(sky_radiance(vec3(0, 1, 0)), 1.0)");
         write("model", "shading_model",
               "vec4(shade(MODEL, ShadingPoint(vec3(0), vec3(0, 0, 1), vec3(0, 0, 1), 0.5, MODEL, vec2(0)), "
-              "LightSample(vec3(0, 0, 1), vec3(2.0))).diffuse, 1.0)");
+              "LightSample(vec3(0, 0, 1), vec3(2.0), vec3(1.0), vec3(2.0))).diffuse, 1.0)");
     }
     void TearDown() override {
         seams_.reset();

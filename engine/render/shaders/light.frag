@@ -20,8 +20,9 @@ void main() {
     vec3 position = world_from_depth(uv, texelFetch(scene_depth, pixel, 0).x);
 
     LightSample light;
-    light.irradiance = light_irradiance(light_index, position, light.direction_to_light);
-    light.irradiance *= light_transmittance(light_index, position, lit.normal);
+    light.unshadowed = light_irradiance(light_index, position, light.direction_to_light);
+    light.transmittance = light_transmittance(light_index, position, lit.normal);
+    light.irradiance = light.unshadowed * light.transmittance;
     ShadingPoint point = ShadingPoint(position, lit.normal, -eye_ray(uv), lit.roughness, lit.model, uv);
     LightTerms terms = shade(lit.model, point, light);
     light_diffuse = vec4(terms.diffuse, 0.0);

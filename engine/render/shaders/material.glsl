@@ -18,6 +18,12 @@ struct MaterialPoint {
     uint model;       // number of the shading model
 };
 
+// The interpolated normal on the side that faces the eye.
+vec3 mesh_normal() {
+    vec3 n = normalize(v_normal);
+    return gl_FrontFacing ? n : -n;
+}
+
 // The shading normal on the side that faces the eye.
 vec3 material_normal() {
     vec3 n = normalize(v_normal);

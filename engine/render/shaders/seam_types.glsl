@@ -15,7 +15,9 @@ struct ShadingPoint {
 /// One light at that point.
 struct LightSample {
     vec3 direction_to_light;  ///< unit
-    vec3 irradiance;  ///< lux per channel on a plane that faces the light, shadowed
+    vec3 irradiance;     ///< lux per channel on a plane that faces the light, shadowed
+    vec3 transmittance;  ///< the shadows in it: share of the light that gets there
+    vec3 unshadowed;     ///< what would arrive with nothing on the way, lux per channel
 };
 
 /// Light from everywhere but the lights.

@@ -7,6 +7,7 @@ layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 uv0;
 layout(location = 4) in vec2 uv1;
 layout(location = 5) in uint surface;  // one an instance
+layout(location = 6) in float curvature;
 
 uniform mat4 clip_from_world;
 
@@ -19,6 +20,7 @@ out vec4 v_uv;
 out vec3 v_position;
 out vec3 v_normal;
 flat out float v_surface;  // number of the surface
+out float v_curvature;     // 1/m
 #ifdef NORMAL_MAP
 out vec4 v_tangent;
 #endif
@@ -35,6 +37,7 @@ void main() {
     v_surface = surfaces[surface].normal_from_local[0].w;
     v_normal = mat3(surfaces[surface].normal_from_local[0].xyz, surfaces[surface].normal_from_local[1].xyz,
                     surfaces[surface].normal_from_local[2].xyz) * normal;
+    v_curvature = curvature * length(v_normal);  // which is one over the scale
 #ifdef NORMAL_MAP
     v_tangent = vec4(mat3(surfaces[surface].world_from_local) * tangent.xyz, tangent.w);
 #endif

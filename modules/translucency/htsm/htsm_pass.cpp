@@ -8,10 +8,10 @@
 
 #include "core/log.h"
 #include "light_state.h"
-#include "pixels.h"
 #include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/light_buffer.h"
+#include "render/pixel_rectangle.h"
 #include "render/seams.h"
 #include "render/shadow_maps.h"
 #include "seen_surface.h"

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "pixels.h"
 #include "radiance_maps/dispatch.h"
 #include "radiance_maps/radiance_maps_pass.h"
+#include "render/pixel_rectangle.h"
 #include "render/seams.h"
 
 namespace tyndall::translucency {

@@ -9,10 +9,10 @@
 #include "body_space.h"
 #include "core/log.h"
 #include "physics/blue_noise.h"
-#include "pixels.h"
 #include "radiance_maps/balance.h"
 #include "radiance_maps/dispatch.h"
 #include "render/frame.h"
+#include "render/pixel_rectangle.h"
 #include "render/seams.h"
 
 namespace tyndall::translucency {

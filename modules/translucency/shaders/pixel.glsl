@@ -25,7 +25,7 @@ Pixel pixel_here() {
     Pixel pixel;
     pixel.at = pixels_low + ivec2(gl_GlobalInvocationID.xy);
     ivec2 at = min(pixel.at, pixels_low + pixels_size - 1);
-    pixel.seen = at == pixel.at && texelFetch(gbuffer_surface, at, 0).x == number;
+    pixel.seen = at == pixel.at && surface_number(texelFetch(gbuffer_surface, at, 0)) == number;
     LitPoint point = decode_lit_point(texelFetch(gbuffer_normal, at, 0));
     vec2 uv = (vec2(at) + 0.5) / frame.size_time.xy;
     pixel.place = world_from_depth(uv, max(texelFetch(scene_depth, at, 0).x, 1e-9));

@@ -23,7 +23,7 @@ struct Seen {
 /// False where it is not. `eta` is the index of refraction.
 bool seen_here(float eta, out Seen seen) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if (texelFetch(gbuffer_surface, pixel, 0).x != number) return false;
+    if (surface_number(texelFetch(gbuffer_surface, pixel, 0)) != number) return false;
     float depth = texelFetch(scene_depth, pixel, 0).x;
     LitPoint point = decode_lit_point(texelFetch(gbuffer_normal, pixel, 0));
     vec2 uv = gl_FragCoord.xy / frame.size_time.xy;

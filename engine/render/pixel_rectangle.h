@@ -6,7 +6,7 @@
 
 #include "geometry/bounds.h"
 
-namespace tyndall::translucency {
+namespace tyndall {
 
 /// Pixels from `low` on, row 0 at the bottom.
 struct PixelRectangle {
@@ -18,4 +18,4 @@ struct PixelRectangle {
 /// Holds the box in a picture of `size` pixels: all of the picture where a corner is behind the eye.
 [[nodiscard]] PixelRectangle pixels_of(const Bounds& world, const glm::mat4& view_projection, glm::ivec2 size);
 
-}  // namespace tyndall::translucency
+}  // namespace tyndall

@@ -1,6 +1,6 @@
-#include "pixels.h"
+#include "render/pixel_rectangle.h"
 
-namespace tyndall::translucency {
+namespace tyndall {
 
 PixelRectangle pixels_of(const Bounds& world, const glm::mat4& view_projection, glm::ivec2 size) {
     if (world.empty()) return {};
@@ -19,4 +19,4 @@ PixelRectangle pixels_of(const Bounds& world, const glm::mat4& view_projection, 
     return {first, last - first};
 }
 
-}  // namespace tyndall::translucency
+}  // namespace tyndall

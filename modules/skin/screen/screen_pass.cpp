@@ -1,0 +1,192 @@
+#include "screen/screen_pass.h"
+
+#include <epoxy/gl.h>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "render/frame.h"
+#include "render/pixel_rectangle.h"
+
+namespace tyndall::skin {
+namespace {
+
+/// Kernels kept between frames.
+constexpr size_t kMostKernels = 32;
+constexpr int kMostTaps = 63;
+/// Livermore 2012, figure 51, its weights made to sum to 1 per channel: what stays, and a Gaussian of this variance.
+constexpr float kWideVariance_m2 = 6e-6f;
+const glm::vec3 kWideShare{0.767f, 0.545f, 0.351f / (0.694f + 0.351f)};
+
+bool on_screen(Technique technique) {
+    return technique == Technique::two_gaussians || technique == Technique::separable || technique == Technique::disc;
+}
+
+/// Drawing stays within the rectangle for the time of a scope.
+class Scissor {
+ public:
+    Scissor(glm::ivec2 low, glm::ivec2 high) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(low.x, low.y, high.x - low.x, high.y - low.y);
+    }
+    ~Scissor() { glDisable(GL_SCISSOR_TEST); }
+    Scissor(const Scissor&) = delete;
+    Scissor& operator=(const Scissor&) = delete;
+};
+
+/// Metres of a pixel across the line of sight, where the box is nearest to the eye.
+float pixel_at(const Bounds& bounds, const Frame& frame) {
+    const glm::vec3 eye(frame.block.eye_near);
+    const float distance = glm::distance(eye, glm::clamp(eye, bounds.low, bounds.high));
+    return std::max(distance, frame.block.eye_near.w) * 2.0f * frame.block.tan_half_fov_exposure.y /
+           frame.block.size_time.y;
+}
+
+/// The one Gaussian that two_gaussians blurs by; as wide as the published one where the profile is six_gaussians.
+physics::DiffusionProfile wide_gaussian(const physics::DiffusionProfile& profile) {
+    const float as_published = physics::six_gaussian_skin().mean_square().x;
+    return {{{kWideVariance_m2 * profile.mean_square().x / as_published, glm::vec3(1.0f)}}};
+}
+
+}  // namespace
+
+ScreenPass::ScreenPass(std::shared_ptr<SkinTables> tables, const SkinSettings& settings)
+    : tables_(std::move(tables)), settings_(settings) {}
+
+void ScreenPass::declare(PassDeclaration& declaration) {
+    declaration.stage(Stage::diffusion)
+        .reads("scene_depth", "where the skin is")
+        .reads("gbuffer_surface", "which skin is seen, and its plane")
+        .writes("skin_light", {.format = gpu::Format::rgba32f}, "irradiance that enters skin, metres from the eye")
+        .writes("skin_spread", {.format = gpu::Format::rgba32f}, "the same, spread along one direction")
+        .updates("light_diffuse", "irradiance spread under the skin");
+}
+
+std::vector<ScreenPass::Group> ScreenPass::groups(PassContext& context) const {
+    const Frame& frame = context.frame();
+    std::vector<Group> groups;
+    for (const Surface& surface : frame.scene.surfaces) {
+        if (!surface.diffusion || !on_screen(technique_of(*surface.diffusion))) continue;
+        const PixelRectangle pixels = pixels_of(surface.bounds, frame.block.view_projection, context.size());
+        if (pixels.empty()) continue;
+        const Technique technique = technique_of(*surface.diffusion);
+        const auto same = [&](const Group& group) {
+            return group.technique == technique && *group.profile == surface.diffusion->profile;
+        };
+        auto group = std::ranges::find_if(groups, same);
+        if (group == groups.end()) {
+            const auto& profiles = tables_->profiles();
+            const auto number = std::ranges::find_if(
+                profiles, [&](const physics::DiffusionProfile* p) { return *p == surface.diffusion->profile; });
+            groups.push_back({technique, &surface.diffusion->profile, float(number - profiles.begin() + 1), pixels.low,
+                              pixels.low + pixels.size, pixel_at(surface.bounds, frame)});
+            continue;
+        }
+        group->low = glm::min(group->low, pixels.low);
+        group->high = glm::max(group->high, pixels.low + pixels.size);
+        group->pixel_m = std::min(group->pixel_m, pixel_at(surface.bounds, frame));
+    }
+    return groups;
+}
+
+const ScreenPass::Kernel& ScreenPass::kernel_of(const Group& group) {
+    const bool disc = group.technique == Technique::disc;
+    const physics::DiffusionProfile profile =
+        group.technique == Technique::two_gaussians ? wide_gaussian(*group.profile) : *group.profile;
+    // closer up, where a kernel is many pixels wide, cells stay as many pixels
+    const float pixels = reach(profile) / group.pixel_m;
+    const int a_side = std::clamp(std::max(settings_.taps / 2, int(std::ceil(pixels / 3.0f))), 1, kMostTaps / 2);
+    const int count = disc ? settings_.disc_taps : 1 + a_side;
+    // sizes of pixels in steps of a quarter octave, so that kernels last while the camera moves
+    const float least = std::exp2(std::round(4.0f * std::log2(group.pixel_m)) / 4.0f);
+    const auto same = [&](const Kernel& kernel) {
+        return kernel.technique == group.technique && kernel.count == count && kernel.least_m == least &&
+               kernel.profile == profile;
+    };
+    if (const auto found = std::ranges::find_if(kernels_, same); found != kernels_.end()) return *found;
+    if (kernels_.size() >= kMostKernels) kernels_.erase(kernels_.begin());
+    Kernel kernel{group.technique, profile, count, least, {}, {}};
+    if (disc)
+        for (const DiscTap& tap : disc_kernel(profile, count, least)) {
+            kernel.taps.emplace_back(tap.weight, glm::length(tap.place));
+            kernel.places.emplace_back(tap.place, 0.0f, 0.0f);
+        }
+    else
+        kernel.taps = line_kernel(profile, count - 1, least).taps;
+    return kernels_.emplace_back(std::move(kernel));
+}
+
+const gpu::Program& ScreenPass::begin(PassContext& context, const gpu::ProgramDesc& desc) const {
+    Frame& frame = context.frame();
+    const gpu::Program& program = frame.shaders.program(desc);
+    program.use();
+    bind_frame(program, frame);
+    tables_->bind_surfaces(program, frame.scene);
+    program.texture("gbuffer_surface", context.texture("gbuffer_surface"), {.filter = gpu::Filter::nearest});
+    return program;
+}
+
+void ScreenPass::pack(PassContext& context, const std::vector<Group>& groups) {
+    static const gpu::ProgramDesc kDesc{.name = "skin.pack", .fragment = "skin/screen/pack.frag"};
+    static constexpr std::string_view kTargets[] = {"skin_light"};
+    glm::ivec2 low = groups.front().low, high = groups.front().high;
+    for (const Group& group : groups) {
+        low = glm::min(low, group.low);
+        high = glm::max(high, group.high);
+    }
+    context.bind_targets(kTargets, -1);
+    const gpu::Program& program = begin(context, kDesc);
+    for (const char* target : {"scene_depth", "light_diffuse"})
+        program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
+    const Scissor scissor(low - kMostTaps, high + kMostTaps);  // so that there is nothing around
+    gpu::draw_fullscreen();
+}
+
+void ScreenPass::gather(PassContext& context, const Group& group, const Kernel& kernel, const char* from, int step,
+                        int steps) {
+    const bool disc = group.technique == Technique::disc;
+    const bool last = step + 1 == steps;
+    const std::string_view target[] = {last ? "light_diffuse" : "skin_spread"};
+    const gpu::ProgramDesc desc{
+        .name = disc ? "skin.disc" : "skin.line",
+        .fragment = "skin/screen/gather.frag",
+        .defines = {fmt::format("TAPS {}", kernel.taps.size()), disc ? "DISC" : "LINE", last ? "LAST" : "FIRST"}};
+    context.bind_targets(target, -1);
+    const gpu::Program& program = begin(context, desc);
+    program.texture("from", context.texture(from), {.filter = gpu::Filter::nearest});
+    program.texture("skin_light", context.texture("skin_light"), {.filter = gpu::Filter::nearest});
+    for (size_t i = 0; i < kernel.taps.size(); ++i) {
+        program.set(fmt::format("taps[{}]", i), kernel.taps[i]);
+        if (disc) program.set(fmt::format("places[{}]", i), kernel.places[i]);
+    }
+    const glm::vec3 spread = 0.5f * kernel.profile.mean_square();
+    program.set("falloff", 0.5f / std::max({spread.x, spread.y, spread.z, 1e-12f}));
+    program.set("profile", group.number);
+    program.set("technique", float(group.technique));
+    program.set("second", step == 1 ? 1.0f : 0.0f);
+    program.set("share", group.technique == Technique::two_gaussians ? kWideShare : glm::vec3(1.0f));
+    const Scissor scissor(group.low, group.high);
+    gpu::draw_fullscreen();
+}
+
+void ScreenPass::execute(PassContext& context) {
+    if (!settings_.enabled) return;
+    tables_->update(context.frame().scene);
+    const std::vector<Group> seen = groups(context);
+    if (seen.empty()) return;
+    pack(context, seen);
+    for (const Group& group : seen) {
+        const Kernel& kernel = kernel_of(group);
+        if (group.technique == Technique::disc) {
+            gather(context, group, kernel, "skin_light", 0, 1);
+            continue;
+        }
+        gather(context, group, kernel, "skin_light", 0, 2);
+        gather(context, group, kernel, "skin_spread", 1, 2);
+    }
+}
+
+}  // namespace tyndall::skin

@@ -1,0 +1,48 @@
+#pragma once
+/// The shading model "skin": the oily layer, and what the techniques of the light pass make of diffuse light.
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "gpu/gpu.h"
+#include "render/seams.h"
+#include "response.h"
+#include "skin_plan.h"
+
+namespace tyndall::skin {
+
+/// What shaders know of the scene's surfaces by their numbers (shaders/surfaces.glsl), and the tables.
+class SkinTables {
+ public:
+    /// Brings the tables to the frame's scene and binds them.
+    void bind(const gpu::Program& program, const RenderScene& scene);
+    /// The table of surfaces alone.
+    void bind_surfaces(const gpu::Program& program, const RenderScene& scene);
+    /// Number of a profile among the frame's, from 1 on, as the table has it; 0 when there is none.
+    [[nodiscard]] const std::vector<const physics::DiffusionProfile*>& profiles() const { return profiles_; }
+    /// Finds the profiles and fills the table; the others do it when needed.
+    void update(const RenderScene& scene);
+
+ private:
+    struct Layer {
+        Technique technique;
+        physics::DiffusionProfile profile;
+        bool operator==(const Layer&) const = default;
+    };
+
+    size_t layer_of(const SurfaceDiffusion& diffusion, std::vector<Layer>& layers) const;
+    size_t profile_of(const SurfaceDiffusion& diffusion);
+    void upload_layers(const std::vector<Layer>& layers);
+    void upload_entering();
+
+    std::vector<const physics::DiffusionProfile*> profiles_;
+    std::vector<glm::vec4> rows_, uploaded_rows_;
+    std::vector<Layer> layers_;
+    gpu::Texture surfaces_, responses_, shadows_, entering_;
+};
+
+/// The provider of Seam::shading_model.
+[[nodiscard]] SeamProvider shading_model(std::shared_ptr<SkinTables> tables);
+
+}  // namespace tyndall::skin

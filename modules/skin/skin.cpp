@@ -1,0 +1,23 @@
+// The module: what it registers.
+
+#include "module/module.h"
+#include "screen/screen_pass.h"
+#include "skin_component.h"
+
+namespace tyndall::skin {
+
+class Skin final : public Module {
+ public:
+    void install(Registrar& registrar) override {
+        registrar.component<SkinComponent>(make_skin_extractor());
+        const SkinSettings& settings = registrar.settings<SkinSettings>();
+        const auto tables = std::make_shared<SkinTables>();
+        registrar.seam(Seam::shading_model, shading_model(tables));
+        registrar.pass(std::make_unique<ScreenPass>(tables, settings));
+    }
+};
+
+}  // namespace tyndall::skin
+
+TYNDALL_MODULE(tyndall::skin::Skin, "0.1",
+               "Skin: light that spreads under a surface, in millimetres, and an oily layer.", "")

@@ -1,0 +1,165 @@
+#include "skin_component.h"
+
+#include <glm/geometric.hpp>
+#include <map>
+#include <tuple>
+
+#include "core/error.h"
+#include "geometry/curvature.h"
+#include "skin_maps.h"
+
+namespace tyndall::skin {
+namespace {
+
+/// Curvature is what skin spreads over: smoothed over as many metres.
+constexpr float kCurvatureSmoothing_m = 0.003f;
+
+/// What the extractor made for a surface.
+struct Made {
+    SkinComponent component;
+    uint64_t material_id = 0, mesh_id = 0;
+    float scale = 0.0f;
+    std::shared_ptr<const Material> material;
+    std::shared_ptr<const MeshAsset> mesh;
+    std::shared_ptr<const SurfaceDiffusion> diffusion;
+};
+
+std::shared_ptr<const Material> skin_material(const Material& from, const SkinComponent& component,
+                                              AssetStore& assets) {
+    auto made = std::make_shared<Material>(from);
+    set_maps(component.maps, assets, *made);
+    made->id = new_asset_id();
+    made->shading_model = "skin";
+    made->shading_parameters = {component.lobe_roughness.x, component.lobe_roughness.y, component.second_lobe,
+                                component.specular == Specular::kelemen ? 1.0f : 0.0f};
+    made->metallic = 0.0f;
+    made->ior = kSkinIor;
+    return made;
+}
+
+std::shared_ptr<const MeshAsset> curved(const MeshAsset& from, float scale) {
+    auto made = std::make_shared<MeshAsset>(from);
+    made->id = new_asset_id();
+    compute_curvatures(made->mesh, kCurvatureSmoothing_m / scale);
+    return made;
+}
+
+std::shared_ptr<const SurfaceDiffusion> diffusion_of(const SkinComponent& component) {
+    auto made = std::make_shared<SurfaceDiffusion>();
+    made->profile = adjusted(make_profile(component.profile), component);
+    made->pre_scatter = component.pre_scatter;
+    made->transmission = component.transmission;
+    made->detail_m = component.detail_mm * 1e-3f;
+    made->technique = technique_names()[static_cast<size_t>(component.technique)];
+    return made;
+}
+
+/// The scale of a transform, by volume; 0 for what is flat.
+float scale_of(const glm::mat4& transform) {
+    return std::cbrt(std::abs(glm::determinant(glm::mat3(transform))));
+}
+
+class SkinExtractor {
+ public:
+    void operator()(const ExtractContext& context, const SkinComponent& component, RenderScene& scene) {
+        size_t found = 0;
+        for (Surface& surface : scene.surfaces) {
+            if (surface.entity.index != context.entity.index || surface.entity.generation != context.entity.generation)
+                continue;
+            if (surface.interior)
+                throw Error("an entity has an interior or is skin, not both: remove one of the components");
+            make(context, component, surface, found++);
+        }
+        if (found == 0) throw Error("skin needs a mesh or a gltf on the same entity");
+    }
+
+ private:
+    using Key = std::tuple<uint32_t, uint32_t, size_t>;  ///< entity, which of its surfaces
+
+    void make(const ExtractContext& context, const SkinComponent& component, Surface& surface, size_t which) {
+        const float scale = scale_of(surface.transform);
+        if (!(scale > 0.0f) || surface.mesh->mesh.normals.empty()) return;  // nothing of it is seen
+        if (made_.size() > 64 + 4 * context.world.size())
+            std::erase_if(made_, [&](const auto& entry) {
+                return !context.world.alive({std::get<0>(entry.first), std::get<1>(entry.first)});
+            });
+        Made& made = made_[{context.entity.index, context.entity.generation, which}];
+        const bool changed = !made.material || made.component != component;
+        if (changed || made.material_id != surface.material->id)
+            made.material = skin_material(*surface.material, component, context.assets);
+        if (made.mesh_id != surface.mesh->id || std::abs(scale - made.scale) > 0.05f * made.scale)
+            made.mesh = curved(*surface.mesh, made.scale = scale);
+        if (changed) made.diffusion = diffusion_of(component);
+        made.component = component;
+        made.material_id = surface.material->id;
+        made.mesh_id = surface.mesh->id;
+        surface.material = made.material;
+        surface.mesh = made.mesh;
+        surface.diffusion = made.diffusion;
+    }
+
+    std::map<Key, Made> made_;
+};
+
+}  // namespace
+
+void describe(StructBuilder<SkinMaps>& d) {
+    using M = SkinMaps;
+    d.doc("Texture files by uv0; an empty name leaves what the material has.");
+    d.field("colour", &M::colour, "What comes back of diffuse light.").asset("texture");
+    d.field("normal", &M::normal, "Tangent-space normals: pores and wrinkles.").asset("texture");
+    d.field("roughness", &M::roughness, "Perceptual roughness, first channel; multiplies the material's.")
+        .asset("texture");
+    d.field("specular", &M::specular, "Strength of the mirror, first channel.").asset("texture");
+    d.field("cavity", &M::cavity, "Where pores and folds hide the mirror: 0 = hidden, first channel.").asset("texture");
+    d.field("oiliness", &M::oiliness, "0 = dry, 1 = oily: half as rough, first channel.").asset("texture");
+}
+
+void describe(StructBuilder<SkinComponent>& d) {
+    using S = SkinComponent;
+    d.doc(
+        "Makes the entity's mesh, or all of its gltf, skin: light that enters spreads under it, in millimetres of the "
+        "world, and leaves beside; an oily layer mirrors. Colour and maps are the material's unless given here.");
+    d.field("profile", &S::profile, "How light spreads.", profile_names());
+    d.field("technique", &S::technique, "What renders it.", technique_names());
+    d.field("tint", &S::tint, "An artist's choice: the share of each channel that spreads; 1 is what the profile says.")
+        .range(0.0, 1.0)
+        .colour();
+    d.field("strength", &S::strength, "An artist's choice: distances times this; 1 is what the profile says.")
+        .range(0.0, 100.0);
+    d.field("pre_scatter", &S::pre_scatter,
+            "The colour to this power counts where light enters, the rest where it leaves: 0 keeps the map sharp, 1 "
+            "blurs it as light is.")
+        .range(0.0, 1.0);
+    d.field("transmission", &S::transmission, "Share of the light through thin parts that is shown.").range(0.0, 1.0);
+    d.field("specular", &S::specular,
+            "The oily layer: two lobes of GGX, or Kelemen & Szirmay-Kalos (2001) with Beckmann's.",
+            {"two_lobes", "kelemen"});
+    d.field("lobe_roughness", &S::lobe_roughness, "Roughness of both lobes over the surface's.").range(0.05, 4.0);
+    d.field("second_lobe", &S::second_lobe, "Share of the second lobe.").range(0.0, 1.0);
+    d.field("detail_mm", &S::detail_mm,
+            "Wavelength of the normal map's detail: blurred_normals and preintegrated flatten what light spreads over.")
+        .unit("mm")
+        .range(0.001, 1000.0);
+    d.field("maps", &S::maps, "Textures.");
+}
+
+physics::DiffusionProfile adjusted(physics::DiffusionProfile profile, const SkinComponent& component) {
+    constexpr float kUnspread_m2 = 1e-12f;  // a micrometre
+    for (physics::DiffusionLobe& lobe : profile.lobes) {
+        lobe.variance_m2 = std::max(lobe.variance_m2 * component.strength * component.strength, kUnspread_m2);
+        lobe.weight *= component.tint;
+    }
+    if (component.tint != glm::vec3(1.0f)) profile.lobes.push_back({kUnspread_m2, glm::vec3(1.0f) - component.tint});
+    profile.normalise();
+    return profile;
+}
+
+Extractor make_skin_extractor() {
+    return [extractor = std::make_shared<SkinExtractor>()](const ExtractContext& context, const void* component,
+                                                           RenderScene& scene) {
+        (*extractor)(context, *static_cast<const SkinComponent*>(component), scene);
+    };
+}
+
+}  // namespace tyndall::skin
