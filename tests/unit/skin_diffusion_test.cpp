@@ -32,7 +32,9 @@ struct Spread {
     /// As a bilinear lookup finds it; texels from the map's corner.
     [[nodiscard]] glm::vec3 at(const glm::vec2& place) const {
         const glm::vec2 low = glm::floor(place - 0.5f), f = place - 0.5f - low;
-        const auto texel = [&](int x, int y) { return glm::vec3(after[atlases[0].index(glm::ivec2(low) + glm::ivec2(x, y))]); };
+        const auto texel = [&](int x, int y) {
+            return glm::vec3(after[atlases[0].index(glm::ivec2(low) + glm::ivec2(x, y))]);
+        };
         return glm::mix(glm::mix(texel(0, 0), texel(1, 0), f.x), glm::mix(texel(0, 1), texel(1, 1), f.x), f.y);
     }
     [[nodiscard]] glm::dvec3 mean(const std::vector<glm::vec4>& map) const {
@@ -168,8 +170,7 @@ TEST_F(SkinDiffusion, WidthsHoldAlongAllDirectionsOfAStretchedMap) {
         EXPECT_EQ(edge.atlases[0].leaning, 1.0f);
         const auto line = [&](float x) { return edge.at(edge.atlases[0].place(uv_of(x * across))); };
         const glm::vec3 error = error_of(line, [](float x) { return kSkin.edge(x); });
-        const glm::vec3 width =
-            width_of(line) / width_of([](float x) { return kSkin.edge(x); });
+        const glm::vec3 width = width_of(line) / width_of([](float x) { return kSkin.edge(x); });
         std::printf("edge at %3.0f degrees: RMS %s, width %s\n", double(degrees), text(error).c_str(),
                     text(width).c_str());
         EXPECT_LE(worst(error), 0.01f);
@@ -218,7 +219,8 @@ TEST_F(SkinDiffusion, ASphereKeepsItsLightAndShowsNoSeam) {
         // what should depend on the angle to the light alone
         std::array<glm::dvec2, 90> sums{};
         const auto bin = [&](const AtlasTexel& t) {
-            return size_t(std::min(89.0f, 0.5f * glm::degrees(std::acos(glm::clamp(glm::dot(t.normal, light), -1.0f, 1.0f)))));
+            return size_t(
+                std::min(89.0f, 0.5f * glm::degrees(std::acos(glm::clamp(glm::dot(t.normal, light), -1.0f, 1.0f)))));
         };
         const auto value = [&](const AtlasTexel& t) {
             return double(ball.after[ball.atlases[0].index(t.at)].x - std::max(glm::dot(t.normal, light), 0.0f));
@@ -231,9 +233,10 @@ TEST_F(SkinDiffusion, ASphereKeepsItsLightAndShowsNoSeam) {
             const bool near = t.at.x < kGutterTexels + 8 || t.at.x > 512 + kGutterTexels - 8;
             (near ? at_seam : anywhere) = std::max(near ? at_seam : anywhere, error);
         }
-        std::printf("light from (%.1f %.1f %.1f): mean after over before %s; red off the mean at its angle: %.4f at the seam, "
-                    "%.4f elsewhere\n",
-                    double(light.x), double(light.y), double(light.z), text(glm::vec3(ratio)).c_str(), at_seam, anywhere);
+        std::printf(
+            "light from (%.1f %.1f %.1f): mean after over before %s; red off the mean at its angle: %.4f at the seam, "
+            "%.4f elsewhere\n",
+            double(light.x), double(light.y), double(light.z), text(glm::vec3(ratio)).c_str(), at_seam, anywhere);
         for (int i = 0; i < 3; ++i) EXPECT_NEAR(ratio[i], 1.0, 0.01);
         EXPECT_LE(at_seam, 0.02);
     }

@@ -52,10 +52,10 @@ struct Atlas {
     std::vector<GutterTexel> gutters;  ///< those that pad come last
     size_t padding = 0;                ///< how many of them pad
     uint32_t charts = 0;
-    float texel_m = 0.0f;   ///< side of a square texel of the mean area, metres
-    float leaning = 0.0f;   ///< share of the texels with u and v further than 5 degrees from square
-    float overlap = 0.0f;   ///< share of the covered texels that several triangles cover
-    std::string problem;    ///< why the mesh can't be laid out, for people; empty = it is
+    float texel_m = 0.0f;  ///< side of a square texel of the mean area, metres
+    float leaning = 0.0f;  ///< share of the texels with u and v further than 5 degrees from square
+    float overlap = 0.0f;  ///< share of the covered texels that several triangles cover
+    std::string problem;   ///< why the mesh can't be laid out, for people; empty = it is
 
     [[nodiscard]] bool usable() const { return problem.empty(); }
     /// Texels on a side of the map.

@@ -33,9 +33,8 @@ std::vector<uint32_t> weld_places(const Mesh& mesh) {
     const glm::vec3 direction = glm::normalize(glm::vec3(0.577f, 0.619f, 0.531f));
     std::vector<float> along(mesh.positions.size());
     std::ranges::transform(mesh.positions, along.begin(), [&](const glm::vec3& p) { return glm::dot(p, direction); });
-    return weld(along, near, [&](uint32_t a, uint32_t b) {
-        return glm::distance(mesh.positions[a], mesh.positions[b]) <= near;
-    });
+    return weld(along, near,
+                [&](uint32_t a, uint32_t b) { return glm::distance(mesh.positions[a], mesh.positions[b]) <= near; });
 }
 
 /// Of vertices in the same place, those with the same UVs.

@@ -61,9 +61,7 @@ class GutterMaker {
     [[nodiscard]] bool on_map(const glm::ivec2& at) const {
         return at.x >= 0 && at.y >= 0 && at.x < atlas_.extent() && at.y < atlas_.extent();
     }
-    [[nodiscard]] uint32_t owner(const glm::ivec2& at) const {
-        return on_map(at) ? owners_[atlas_.index(at)] : 0;
-    }
+    [[nodiscard]] uint32_t owner(const glm::ivec2& at) const { return on_map(at) ? owners_[atlas_.index(at)] : 0; }
     [[nodiscard]] Edge edge_of(const ChartBorder& border, uint32_t begin, uint32_t end) const {
         Edge edge;
         edge.begin = atlas_.place(mesh_.uv0[begin]);

@@ -35,10 +35,9 @@ float densest_of(const Atlas& atlas) {
 }
 
 const gpu::Program& use(gpu::ShaderLibrary& shaders, std::string_view shader, std::vector<std::string> defines = {}) {
-    const gpu::Program& program =
-        shaders.program({.name = fmt::format("skin.texture_space.{}", shader),
-                         .compute = fmt::format("skin/texture_space/{}.comp", shader),
-                         .defines = std::move(defines)});
+    const gpu::Program& program = shaders.program({.name = fmt::format("skin.texture_space.{}", shader),
+                                                   .compute = fmt::format("skin/texture_space/{}.comp", shader),
+                                                   .defines = std::move(defines)});
     program.use();
     return program;
 }

@@ -26,9 +26,9 @@ struct LobePlan {
 
 /// What a plan must know of the map.
 struct LobeMap {
-    float texel_m = 0.0f;   ///< mean side of a texel of level 0
-    float densest = 1.0f;   ///< texels a metre where there are many (a percentile), over the mean
-    int levels = 1;         ///< that there are
+    float texel_m = 0.0f;  ///< mean side of a texel of level 0
+    float densest = 1.0f;  ///< texels a metre where there are many (a percentile), over the mean
+    int levels = 1;        ///< that there are
 };
 /// The most taps on each side of a blur.
 inline constexpr int kMaxRadius = 6;

@@ -106,8 +106,8 @@ SurfaceMaps& TextureSpacePass::maps_of(PassContext& context, const Surface& surf
     };
     const int size = int(std::bit_floor(unsigned(settings_.texture_space.size)));
     SurfaceMaps& finest = at(size);
-    const float pixels = nearest_pixel_m(surface.bounds, context.frame().block) /
-                         std::max(finest.texel_m() * stretch.scale, 1e-12f);
+    const float pixels =
+        nearest_pixel_m(surface.bounds, context.frame().block) / std::max(finest.texel_m() * stretch.scale, 1e-12f);
     const int coarser = std::clamp(int(std::floor(std::log2(std::max(pixels, 1e-6f)))), 0, 3);
     return coarser == 0 ? finest : at(std::max(size >> coarser, 32));
 }
@@ -122,6 +122,9 @@ std::string TextureSpacePass::state_of(PassContext& context, const Drawn& drawn)
     for (const physics::DiffusionLobe& lobe : drawn.profile.lobes) append_state(state, lobe);
     for (size_t i = 0; i < frame.scene.lights.size(); ++i) append_light_state(state, frame, i, maps_.frame());
     append_surroundings_state(state, frame, maps_.frame());
+    // how sharp slides are drawn goes by their size in the picture
+    const auto has_gobo = [](const Light& light) { return light.gobo != nullptr; };
+    if (std::ranges::any_of(frame.scene.lights, has_gobo)) append_state(state, frame.block.eye_near);
     return state;
 }
 

@@ -11,9 +11,10 @@ bool UsableMaps::usable(const MeshAsset& mesh, const std::string& name) {
     constexpr int kSize = 256, kMost = 1000;
     const Atlas atlas = make_atlas(mesh.mesh, kSize);
     if (!atlas.usable())
-        log::warn("skin: {}: {}. It can't be done in texture space (six_gaussians, hable) and is done on the screen "
-                  "(separable)",
-                  name, atlas.problem);
+        log::warning(
+            "skin: {}: {}. It can't be done in texture space (six_gaussians, hable) and is done on the screen "
+            "(separable)",
+            name, atlas.problem);
     if (known_.size() >= kMost) known_.clear();  // meshes that have gone
     return known_[mesh.id] = atlas.usable();
 }
