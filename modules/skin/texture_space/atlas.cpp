@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <tuple>
 
 #include "texture_space/charts.h"
 #include "texture_space/gutters.h"
@@ -15,6 +16,8 @@
 namespace tyndall::skin {
 namespace {
 
+/// Texels come in tiles of this side, so that those near to each other in the list are so on the surface.
+constexpr int kTile = 8;
 /// Places on the map in parts of a texel: sums of them are exact, so that a texel on the edge of two triangles belongs
 /// to one of them.
 constexpr double kParts = 1024.0;
@@ -110,7 +113,9 @@ class AtlasMaker {
     void run() {
         atlas_.charts = charts_.count;
         for (size_t first = 0; first < mesh_.indices.size(); first += 3) lay_out(first);
-        std::ranges::sort(atlas_.texels, {}, [](const AtlasTexel& t) { return std::pair(t.at.y, t.at.x); });
+        std::ranges::sort(atlas_.texels, {}, [](const AtlasTexel& t) {
+            return std::tuple(t.at.y / kTile, t.at.x / kTile, t.at.y, t.at.x);
+        });
         summarise();
         if (atlas_.usable()) add_gutters(mesh_, charts_, metrics_, owners_, atlas_);
     }

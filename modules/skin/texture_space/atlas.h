@@ -48,7 +48,7 @@ inline constexpr int kGutterTexels = 12;
 struct Atlas {
     int size = 0;                      ///< texels on a side of the UVs' square
     glm::vec2 tile{0.0f};              ///< what is taken from the mesh's UVs: 0 but where they lie in another tile
-    std::vector<AtlasTexel> texels;    ///< row by row
+    std::vector<AtlasTexel> texels;    ///< tile by tile
     std::vector<GutterTexel> gutters;  ///< those that pad come last
     size_t padding = 0;                ///< how many of them pad
     uint32_t charts = 0;

@@ -68,9 +68,29 @@ gpu::Texture GpuAtlas::make_map(std::string_view label, gpu::Format format) cons
     return map;
 }
 
+ChunkList::ChunkList(const GpuAtlas& atlas, const ChunkSet& set, bool gutters)
+    : entries_(unsigned(atlas.covered + (gutters ? atlas.gutters : 0))) {
+    std::vector<float> numbers;
+    for (size_t i = 0; i < set.size(); ++i)
+        if (set[i] != 0) numbers.push_back(float(i));
+    // the first gutters are in the chunk of the last covered texels
+    const bool has_first = !set.empty() && set.back() != 0;
+    const size_t first =
+        size_t(atlas.covered) / kChunkTexels + (has_first && atlas.covered % kChunkTexels != 0 ? 1 : 0);
+    if (gutters)
+        for (size_t i = first; i * kChunkTexels < entries_; ++i) numbers.push_back(float(i));
+    count_ = int(numbers.size());
+    list_ = make_list(std::move(numbers), gpu::Format::r32f, "skin.chunks");
+}
+
+void ChunkList::dispatch(const gpu::Program& program) const {
+    bind_list(program, "chunk_list", list_);
+    program.set("list_size", entries_);
+    dispatch_list(count_ * kChunkTexels);
+}
+
 void dispatch_list(int count) {
-    constexpr int kGroup = 64;
-    if (count > 0) glDispatchCompute(GLuint((count + kGroup - 1) / kGroup), 1, 1);
+    if (count > 0) glDispatchCompute(GLuint((count + kChunkTexels - 1) / kChunkTexels), 1, 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 

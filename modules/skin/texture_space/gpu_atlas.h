@@ -5,6 +5,7 @@
 
 #include "gpu/gpu.h"
 #include "texture_space/atlas.h"
+#include "texture_space/chunks.h"
 
 namespace tyndall::skin {
 
@@ -30,6 +31,21 @@ struct GpuAtlas {
 
     /// A map of this atlas, black.
     [[nodiscard]] gpu::Texture make_map(std::string_view label, gpu::Format format = gpu::Format::rgba32f) const;
+};
+
+/// Chunks of an atlas' list that shaders are to work on.
+class ChunkList {
+ public:
+    ChunkList() = default;
+    /// `set` chooses among those of covered texels; `gutters`: all of gutters too.
+    ChunkList(const GpuAtlas& atlas, const ChunkSet& set, bool gutters);
+    /// For a program that includes atlas.glsl with CHUNKS.
+    void dispatch(const gpu::Program& program) const;
+
+ private:
+    gpu::Texture list_;
+    int count_ = 0;
+    unsigned entries_ = 0;
 };
 
 /// A compute shader for `count` entries of a list, with what follows waiting for it.

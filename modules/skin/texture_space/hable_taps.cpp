@@ -42,6 +42,23 @@ std::array<HableTap, kHableTaps> hable_taps(const physics::DiffusionProfile& pro
     return taps;
 }
 
+std::vector<HableTap> merged(const std::array<HableTap, kHableTaps>& taps, float distance) {
+    std::vector<HableTap> result;
+    for (const HableTap& tap : taps) {
+        const auto near = std::ranges::find_if(
+            result, [&](const HableTap& other) { return glm::distance(other.offset, tap.offset) < distance; });
+        if (near == result.end()) {
+            result.push_back(tap);
+            continue;
+        }
+        const float there = near->weight.x + near->weight.y + near->weight.z;
+        const float more = tap.weight.x + tap.weight.y + tap.weight.z;
+        near->offset = glm::mix(near->offset, tap.offset, more / (there + more));
+        near->weight += tap.weight;
+    }
+    return result;
+}
+
 glm::vec3 hable_edge(const std::array<HableTap, kHableTaps>& taps, const glm::vec2& direction, float x) {
     glm::vec3 lit(0.0f);
     for (const HableTap& tap : taps)

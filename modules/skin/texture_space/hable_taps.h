@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "physics/diffusion_profile.h"
 
@@ -23,6 +24,9 @@ inline constexpr float kHableUnit_m = 0.45e-3f;
 /// The published taps, the middle one first. For a profile that is not skin's their offsets are scaled so that the
 /// channel that spreads farthest does so as far as it should, and of the other channels more stays in the middle.
 [[nodiscard]] std::array<HableTap, kHableTaps> hable_taps(const physics::DiffusionProfile& profile);
+
+/// Taps nearer to each other than `distance` metres as one, in their middle.
+[[nodiscard]] std::vector<HableTap> merged(const std::array<HableTap, kHableTaps>& taps, float distance);
 
 /// Response of the taps to a straight edge across `direction` (unit), `x` metres inside of it; 0..1.
 [[nodiscard]] glm::vec3 hable_edge(const std::array<HableTap, kHableTaps>& taps, const glm::vec2& direction, float x);

@@ -44,7 +44,7 @@ const gpu::Program& use(gpu::ShaderLibrary& shaders, std::string_view shader, st
 
 }  // namespace
 
-void fill_gutters(gpu::ShaderLibrary& shaders, const gpu::Texture& map, const GpuAtlas& atlas, bool pads, bool whole) {
+void fill_gutters(gpu::ShaderLibrary& shaders, const gpu::Texture& map, const GpuAtlas& atlas, bool pads) {
     const int count = atlas.gutters + (pads ? atlas.padding : 0);
     const gpu::Program& program = use(shaders, "fill");
     program.image("map", map, 0, true);
@@ -52,7 +52,6 @@ void fill_gutters(gpu::ShaderLibrary& shaders, const gpu::Texture& map, const Gp
     bind_list(program, "weights", atlas.weights);
     bind_list(program, "gutter_charts", atlas.gutter_charts);
     program.set("list_size", unsigned(count));
-    program.set("whole", whole ? 1.0f : 0.0f);
     dispatch_list(count);
 }
 
@@ -64,10 +63,18 @@ LobeBlurs::LobeBlurs(const std::array<Atlas, kLevels>& atlases) : kernels_(make_
         level.light = level.atlas.make_map("skin.texture_space.light");
         level.half = level.atlas.make_map("skin.texture_space.half");
         level.total = level.atlas.make_map("skin.texture_space.total");
+        const ChunkSet all = AtlasChunks(atlas).all();
+        level.covered = ChunkList(level.atlas, all, false);
+        level.with_gutters = ChunkList(level.atlas, all, true);
         levels_.push_back(std::move(level));
     }
     map_ = {atlases[0].texel_m, densest_of(atlases[0]), int(levels_.size())};
     leans_ = atlases[0].leaning > kLeaning;
+}
+
+void LobeBlurs::choose(const ChunkSet& set) {
+    levels_[0].covered = ChunkList(levels_[0].atlas, set, false);
+    levels_[0].with_gutters = ChunkList(levels_[0].atlas, set, true);
 }
 
 void LobeBlurs::run(gpu::ShaderLibrary& shaders, const physics::DiffusionProfile& profile) {
@@ -86,20 +93,16 @@ void LobeBlurs::run(gpu::ShaderLibrary& shaders, const physics::DiffusionProfile
         blur(shaders, lobe, std::exchange(sharp, glm::vec3(0.0f)));
     }
     for (; level > 0; --level) {
-        fill(shaders, levels_[size_t(level)].total, levels_[size_t(level)], true);
+        fill_gutters(shaders, levels_[size_t(level)].total, levels_[size_t(level)].atlas, true);
         grow(shaders, level - 1, glm::vec3(0.0f));
     }
     if (plan_.blurs.empty()) grow(shaders, 0, sharp);
-    fill(shaders, levels_[0].total, levels_[0], true);
-}
-
-void LobeBlurs::fill(gpu::ShaderLibrary& shaders, const gpu::Texture& map, const Level& level, bool pads) const {
-    fill_gutters(shaders, map, level.atlas, pads, false);
+    fill_gutters(shaders, levels_[0].total, levels_[0].atlas, true);
 }
 
 void LobeBlurs::shrink(gpu::ShaderLibrary& shaders, int to) const {
     const Level &fine = levels_[size_t(to) - 1], &level = levels_[size_t(to)];
-    fill(shaders, fine.light, fine, true);
+    fill_gutters(shaders, fine.light, fine.atlas, true);
     const gpu::Program& program = use(shaders, "shrink");
     program.image("fine", fine.light, 0, false);
     program.image("map", level.light, 0, true);
@@ -112,7 +115,7 @@ void LobeBlurs::shrink(gpu::ShaderLibrary& shaders, int to) const {
 
 void LobeBlurs::blur(gpu::ShaderLibrary& shaders, const LobeBlur& lobe, const glm::vec3& sharp) {
     Level& level = levels_[size_t(lobe.level)];
-    fill(shaders, level.light, level, false);
+    fill_gutters(shaders, level.light, level.atlas, false);
     half_blur(shaders, lobe, sharp, true);
     half_blur(shaders, lobe, sharp, false);
     level.begun = true;
@@ -121,11 +124,10 @@ void LobeBlurs::blur(gpu::ShaderLibrary& shaders, const LobeBlur& lobe, const gl
 void LobeBlurs::half_blur(gpu::ShaderLibrary& shaders, const LobeBlur& lobe, const glm::vec3& sharp,
                           bool along_u) const {
     const Level& level = levels_[size_t(lobe.level)];
-    std::vector<std::string> defines;
+    std::vector<std::string> defines{"CHUNKS"};
     if (along_u) defines.emplace_back("ALONG_U");
     if (leans_) defines.emplace_back("LEANS");
     const gpu::Program& program = use(shaders, "blur", std::move(defines));
-    const int count = level.atlas.covered + (along_u ? level.atlas.gutters : 0);
     program.image("map", level.light, 0, true);
     program.image("other", level.half, 0, true);
     bind_list(program, "steps", level.atlas.steps);
@@ -133,21 +135,20 @@ void LobeBlurs::half_blur(gpu::ShaderLibrary& shaders, const LobeBlur& lobe, con
     program.set("variance", lobe.variance_m2);
     program.set("less", lobe.less_texels2);
     program.set("most_taps", lobe.radius);
-    program.set("list_size", unsigned(count));
     if (!along_u) {
         program.image("total", level.total, 0, true);
         program.set("weight", lobe.weight);
         program.set("sharp", sharp);
         program.set("keeps", level.begun ? 1.0f : 0.0f);
     }
-    dispatch_list(count);
+    (along_u ? level.with_gutters : level.covered).dispatch(program);
 }
 
 /// Adds the next level's total to this one's, and a share of the light as it is.
 void LobeBlurs::grow(gpu::ShaderLibrary& shaders, int to, const glm::vec3& sharp) {
     Level& level = levels_[size_t(to)];
     const bool has_coarse = size_t(to) + 1 < levels_.size() && levels_[size_t(to) + 1].begun;
-    const gpu::Program& program = use(shaders, "grow");
+    const gpu::Program& program = use(shaders, "grow", {"CHUNKS"});
     program.image("total", level.total, 0, true);
     program.image("map", level.light, 0, false);
     bind_list(program, "steps", level.atlas.steps);
@@ -158,8 +159,7 @@ void LobeBlurs::grow(gpu::ShaderLibrary& shaders, int to, const glm::vec3& sharp
     program.set("sharp", sharp);
     program.set("keeps", level.begun ? 1.0f : 0.0f);
     program.set("gutter", float(kGutterTexels));
-    program.set("list_size", unsigned(level.atlas.covered));
-    dispatch_list(level.atlas.covered);
+    level.covered.dispatch(program);
     level.begun = true;
 }
 

@@ -22,6 +22,9 @@ class LobeBlurs {
     [[nodiscard]] const GpuAtlas& atlas() const { return levels_[0].atlas; }
     /// To be lit: covered texels, alpha as above. It is not the same afterwards.
     [[nodiscard]] const gpu::Texture& light() const { return levels_[0].light; }
+    /// What the next run looks at of the finest map: all at first.
+    void choose(const ChunkSet& set);
+    [[nodiscard]] const ChunkList& chosen() const { return levels_[0].covered; }
     /// `profile` in metres as the atlases have them.
     void run(gpu::ShaderLibrary& shaders, const physics::DiffusionProfile& profile);
     /// What run() made, with gutters.
@@ -36,10 +39,11 @@ class LobeBlurs {
         gpu::Texture light;  ///< the newest lobe
         gpu::Texture half;   ///< blurred along u
         gpu::Texture total;
-        bool begun = false;  ///< `total`, in this run
+        ChunkList covered;       ///< to work on
+        ChunkList with_gutters;  ///< the same
+        bool begun = false;      ///< `total`, in this run
     };
 
-    void fill(gpu::ShaderLibrary& shaders, const gpu::Texture& map, const Level& level, bool pads) const;
     void shrink(gpu::ShaderLibrary& shaders, int to) const;
     void blur(gpu::ShaderLibrary& shaders, const LobeBlur& lobe, const glm::vec3& sharp);
     void half_blur(gpu::ShaderLibrary& shaders, const LobeBlur& lobe, const glm::vec3& sharp, bool along_u) const;
@@ -53,7 +57,7 @@ class LobeBlurs {
     bool leans_ = false;
 };
 
-/// Fills a map's gutters. `whole`: its alpha is 1 where something is.
-void fill_gutters(gpu::ShaderLibrary& shaders, const gpu::Texture& map, const GpuAtlas& atlas, bool pads, bool whole);
+/// Fills a map's gutters, and what pads charts.
+void fill_gutters(gpu::ShaderLibrary& shaders, const gpu::Texture& map, const GpuAtlas& atlas, bool pads);
 
 }  // namespace tyndall::skin

@@ -1,11 +1,21 @@
 #include "texture_space/surface_maps.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <vector>
 
+#include "texture_space/hable_taps.h"
+
 namespace tyndall::skin {
+namespace {
+
+/// Taps of Hable's that are nearer to each other, in texels, are one.
+constexpr float kMergedTexels = 0.35f;
+
+}  // namespace
 
 Stretch stretch_of(const glm::mat4& transform) {
     Stretch stretch;
@@ -34,32 +44,41 @@ SurfaceMaps::SurfaceMaps(const Mesh& mesh, const MapKey& key, const glm::mat3& s
     for (int level = 0; level < levels; ++level) atlases[size_t(level)] = make_atlas(mesh, key.size >> level, shape);
     tile_ = atlases[0].tile;
     texel_m_ = atlases[0].texel_m;
+    chunks_ = std::make_unique<AtlasChunks>(atlases[0]);
     if (key.technique == MapTechnique::lobes) {
         blurs_ = std::make_unique<LobeBlurs>(atlases);
         return;
     }
     atlas_ = std::make_unique<GpuAtlas>(atlases[0], true);
     light_ = atlas_->make_map("skin.texture_space.light");
-    make_steps(atlases[0]);
+    result_ = atlas_->make_map("skin.texture_space.spread");
+    choose(chunks_->all());
 }
 
-void SurfaceMaps::make_steps(const Atlas& atlas) {
-    std::vector<glm::vec4> texels(size_t(atlas.extent()) * size_t(atlas.extent()));
-    const auto set = [&](const glm::ivec2& at, const TexelSteps& steps) {
-        texels[atlas.index(at)] = {steps.along_u, steps.lean, steps.along_v, 0.0f};
-    };
-    for (const AtlasTexel& texel : atlas.texels) set(texel.at, texel.steps);
-    for (const GutterTexel& gutter : atlas.gutters) set(gutter.at, gutter.steps);
-    steps_ = gpu::Texture({.format = gpu::Format::rgba32f, .width = atlas.extent(), .height = atlas.extent()},
-                          "skin.texture_space.map_steps");
-    steps_.upload(0, 0, texels.data());
+void SurfaceMaps::choose(const ChunkSet& set) {
+    if (blurs_)
+        blurs_->choose(set);
+    else
+        chosen_ = ChunkList(*atlas_, set, false);
 }
 
 void SurfaceMaps::spread(gpu::ShaderLibrary& shaders, const physics::DiffusionProfile& profile) {
-    if (blurs_)
-        blurs_->run(shaders, profile);
-    else
-        fill_gutters(shaders, light_, *atlas_, false, true);
+    if (blurs_) return blurs_->run(shaders, profile);
+    fill_gutters(shaders, light_, *atlas_, false);
+    const gpu::Program& program = shaders.program(
+        {.name = "skin.texture_space.hable", .compute = "skin/texture_space/hable.comp", .defines = {"CHUNKS"}});
+    program.use();
+    program.image("map", light_, 0, false);
+    program.image("result", result_, 0, true);
+    bind_list(program, "steps", atlas_->steps);
+    const std::vector<HableTap> taps = merged(hable_taps(profile), kMergedTexels * texel_m_);
+    program.set("taps", int(taps.size()));
+    for (size_t i = 0; i < taps.size(); ++i) {
+        program.set(fmt::format("tap_offsets[{}]", i), taps[i].offset);
+        program.set(fmt::format("tap_weights[{}]", i), taps[i].weight);
+    }
+    chosen_.dispatch(program);
+    fill_gutters(shaders, result_, *atlas_, true);
 }
 
 glm::vec4 SurfaceMaps::map_from_uv() const {

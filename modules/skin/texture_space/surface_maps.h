@@ -36,13 +36,14 @@ class SurfaceMaps {
     SurfaceMaps(const Mesh& mesh, const MapKey& key, const glm::mat3& shape);
 
     [[nodiscard]] const GpuAtlas& atlas() const { return blurs_ ? blurs_->atlas() : *atlas_; }
-    /// The map to be lit; its alpha is the chart's number, or 1 for taps.
+    [[nodiscard]] AtlasChunks& chunks() { return *chunks_; }
+    /// What is to be lit and spread: all at first.
+    void choose(const ChunkSet& set);
+    /// The map to be lit; its alpha is the chart's number.
     [[nodiscard]] const gpu::Texture& light() const { return blurs_ ? blurs_->light() : light_; }
-    /// Spreads what has been lit, or makes it ready for taps. `profile`: metres of the map.
+    /// Spreads what has been lit. `profile`: metres of the map.
     void spread(gpu::ShaderLibrary& shaders, const physics::DiffusionProfile& profile);
-    [[nodiscard]] const gpu::Texture& result() const { return blurs_ ? blurs_->result() : light_; }
-    /// For taps: how many texels lengths cover, at each texel.
-    [[nodiscard]] const gpu::Texture& steps() const { return steps_; }
+    [[nodiscard]] const gpu::Texture& result() const { return blurs_ ? blurs_->result() : result_; }
     /// From UVs to 0..1 over the map: scale, offset.
     [[nodiscard]] glm::vec4 map_from_uv() const;
     [[nodiscard]] const glm::vec2& tile() const { return tile_; }
@@ -50,14 +51,15 @@ class SurfaceMaps {
     [[nodiscard]] float texel_m() const { return texel_m_; }
 
     SurfaceFinish finish;
-    std::string made_from;  ///< all that the result depends on
+    std::string made_from;  ///< all that the result depends on ...
+    ChunkSet made;          ///< ... and where it is
 
  private:
-    void make_steps(const Atlas& atlas);
-
     std::unique_ptr<LobeBlurs> blurs_;
-    std::unique_ptr<GpuAtlas> atlas_;  ///< of taps, as the two below
-    gpu::Texture light_, steps_;
+    std::unique_ptr<GpuAtlas> atlas_;  ///< of taps, as the three below
+    gpu::Texture light_, result_;
+    ChunkList chosen_;
+    std::unique_ptr<AtlasChunks> chunks_;
     glm::vec2 tile_{0.0f};
     float texel_m_ = 0.0f;
 };

@@ -1,8 +1,6 @@
 #include "texture_space/texture_space_pass.h"
 
 #include <epoxy/gl.h>
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -10,10 +8,10 @@
 
 #include "render/draw_state.h"
 #include "render/frame.h"
+#include "render/frustum.h"
 #include "render/gpu_scene.h"
 #include "render/light_state.h"
 #include "render/pixel_rectangle.h"
-#include "texture_space/hable_taps.h"
 
 namespace tyndall::skin {
 namespace {
@@ -34,16 +32,46 @@ float nearest_pixel_m(const Bounds& bounds, const FrameBlock& frame) {
     return std::max(distance, frame.eye_near.w) * 2.0f * frame.tan_half_fov_exposure.y / frame.size_time.y;
 }
 
-void bind_texels(const gpu::Program& program, const Surface& surface, const SurfaceMaps& maps, bool whole) {
+void bind_texels(const gpu::Program& program, const Surface& surface, const SurfaceMaps& maps) {
     program.image("map", maps.light(), 0, true);
     bind_list(program, "places", maps.atlas().places);
     bind_list(program, "normals", maps.atlas().normals);
     bind_list(program, "finish", maps.finish.list());
     bind_list(program, "occlusion", maps.finish.occlusion());
-    program.set("list_size", unsigned(maps.atlas().covered));
     program.set("world_from_local", surface.transform);
     program.set("normal_from_local", glm::inverseTranspose(glm::mat3(surface.transform)));
-    program.set("whole", whole ? 1.0f : 0.0f);
+}
+
+/// Faces of a mesh may turn away from its vertices' normals by this, radians.
+constexpr float kFacets = 0.35f;
+/// Standard deviations of a profile's widest lobe beyond which light does not count.
+constexpr float kReach = 3.5f;
+
+/// Texels that may be seen, and those that their light comes from.
+ChunkSet needed(PassContext& context, const Surface& surface, float scale, AtlasChunks& chunks) {
+    const glm::mat4 local_from_world = glm::inverse(surface.transform);
+    const FrameBlock& block = context.frame().block;
+    ChunkSet set = surface.material->double_sided
+                       ? chunks.all()
+                       : chunks.facing(local_from_world * glm::vec4(glm::vec3(block.eye_near), 1.0f), kFacets);
+    const Frustum frustum(block.view_projection);
+    const glm::mat3 linear(surface.transform);
+    const float longest = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
+    chunks.remove(set, [&](const glm::vec3& centre, float radius) {
+        const glm::vec3 middle(surface.transform * glm::vec4(centre, 1.0f));
+        return frustum.touches({middle - longest * radius, middle + longest * radius});
+    });
+    const float shortest = std::min({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
+    const float widest = surface.diffusion->profile.lobes.empty()
+                             ? 0.0f
+                             : std::sqrt(surface.diffusion->profile.lobes.back().variance_m2);
+    return chunks.grown(set, kReach * widest / std::max(std::min(shortest, scale), 1e-12f));
+}
+
+/// Where a light stands, or with w = 0 the direction to it, in the mesh's space.
+glm::vec4 place_of(const Light& light, const glm::mat4& local_from_world) {
+    if (light.kind == LightKind::directional) return local_from_world * glm::vec4(glm::vec3(light.transform[2]), 0.0f);
+    return local_from_world * glm::vec4(glm::vec3(light.transform[3]), 1.0f);
 }
 
 }  // namespace
@@ -51,7 +79,8 @@ void bind_texels(const gpu::Program& program, const Surface& surface, const Surf
 TextureSpacePass::TextureSpacePass(std::shared_ptr<SkinTables> tables, const SkinSettings& settings)
     : tables_(std::move(tables)),
       settings_(settings),
-      light_programs_({.name = "skin.texture_space.light", .compute = "skin/texture_space/light.comp"}) {}
+      light_programs_(
+          {.name = "skin.texture_space.light", .compute = "skin/texture_space/light.comp", .defines = {"CHUNKS"}}) {}
 
 void TextureSpacePass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::diffusion)
@@ -85,14 +114,25 @@ void TextureSpacePass::render(PassContext& context, size_t index, MapTechnique t
                       usable_pre_scatter(*surface.material, surface.diffusion->pre_scatter),
                       maps_of(context, surface, technique, stretch)};
     std::string state = state_of(context, drawn);
-    if (!settings_.texture_space.keep || state != drawn.maps.made_from) {
-        drawn.maps.finish.update(frame.shaders, frame.gpu_scene, *surface.material, drawn.pre_scatter,
-                                 drawn.maps.atlas(), drawn.maps.tile());
-        light(context, drawn);
-        drawn.maps.spread(frame.shaders, drawn.profile);
+    const bool same = settings_.texture_space.keep && state == drawn.maps.made_from;
+    ChunkSet set = needed(context, surface, stretch.scale, drawn.maps.chunks());
+    if (!same || !holds(drawn.maps.made, set)) {
+        // where only the camera moves all of it is made once
+        if (same) set = drawn.maps.chunks().all();
+        make(context, drawn, set);
         drawn.maps.made_from = std::move(state);
+        drawn.maps.made = std::move(set);
     }
     draw(context, drawn);
+}
+
+void TextureSpacePass::make(PassContext& context, const Drawn& drawn, const ChunkSet& set) {
+    Frame& frame = context.frame();
+    drawn.maps.finish.update(frame.shaders, frame.gpu_scene, *drawn.surface.material, drawn.pre_scatter,
+                             drawn.maps.atlas(), drawn.maps.tile());
+    drawn.maps.choose(set);
+    light(context, drawn, set);
+    drawn.maps.spread(frame.shaders, drawn.profile);
 }
 
 /// As fine as settings say, or as pixels are.
@@ -129,44 +169,41 @@ std::string TextureSpacePass::state_of(PassContext& context, const Drawn& drawn)
 }
 
 /// Fills the map with what enters.
-void TextureSpacePass::light(PassContext& context, const Drawn& drawn) {
+void TextureSpacePass::light(PassContext& context, const Drawn& drawn, const ChunkSet& set) {
     Frame& frame = context.frame();
-    const bool whole = drawn.technique == MapTechnique::taps;
+    gpu::ProgramDesc desc{
+        .name = "skin.texture_space.enter", .compute = "skin/texture_space/enter.comp", .defines = {"CHUNKS"}};
+    if (!has_light_all_around(frame.scene) && frame.seams.providers(Seam::indirect_light).size() <= 1)
+        desc.defines.emplace_back("DARK");
+    const gpu::Program& begin = frame.shaders.program(desc);
+    begin.use();
+    bind_frame(begin, frame);
+    frame.seams.bind(Seam::indirect_light, begin, context);
+    bind_texels(begin, drawn.surface, drawn.maps);
+    ChunkList(drawn.maps.atlas(), set, false).dispatch(begin);
+
+    const glm::mat4 local_from_world = glm::inverse(drawn.surface.transform);
     light_programs_.begin();
     for (size_t i = 0; i < frame.scene.lights.size(); ++i) {
+        const glm::vec4 place = place_of(frame.scene.lights[i], local_from_world);
+        const ChunkSet lit = set & drawn.maps.chunks().facing(place, 0.0f);
         const gpu::Program& program = light_programs_.use(frame, i, [&](const gpu::Program& fresh) {
             frame.seams.bind(Seam::light_transmittance, fresh, context);
             tables_->bind(fresh, frame.scene);
-            bind_texels(fresh, drawn.surface, drawn.maps, whole);
+            bind_texels(fresh, drawn.surface, drawn.maps);
         });
         program.set("light_index", unsigned(i));
-        program.set("keeps", i > 0 ? 1.0f : 0.0f);
-        dispatch_list(drawn.maps.atlas().covered);
+        ChunkList(drawn.maps.atlas(), lit, false).dispatch(program);
     }
-    const bool lit = !frame.scene.lights.empty();
-    if (!lit || drawn.pre_scatter > 0.0f || has_light_all_around(frame.scene)) enter(context, drawn, lit);
-}
-
-void TextureSpacePass::enter(PassContext& context, const Drawn& drawn, bool keeps) {
-    static const gpu::ProgramDesc kDesc{.name = "skin.texture_space.enter", .compute = "skin/texture_space/enter.comp"};
-    Frame& frame = context.frame();
-    const gpu::Program& program = frame.shaders.program(kDesc);
-    program.use();
-    bind_frame(program, frame);
-    frame.seams.bind(Seam::indirect_light, program, context);
-    bind_texels(program, drawn.surface, drawn.maps, drawn.technique == MapTechnique::taps);
-    program.set("keeps", keeps ? 1.0f : 0.0f);
-    dispatch_list(drawn.maps.atlas().covered);
 }
 
 void TextureSpacePass::draw(PassContext& context, const Drawn& drawn) {
     Frame& frame = context.frame();
     const Material& material = *drawn.surface.material;
-    const bool taps = drawn.technique == MapTechnique::taps, coloured = drawn.pre_scatter > 0.0f;
+    const bool coloured = drawn.pre_scatter > 0.0f;
     gpu::ProgramDesc desc{.name = "skin.texture_space.surface",
                           .vertex = "skin/texture_space/surface.vert",
                           .fragment = "skin/texture_space/surface.frag"};
-    if (taps) desc.defines.emplace_back("HABLE");
     if (coloured) desc.defines.emplace_back("COLOURED");
     context.bind_targets();
     const gpu::Program& program = frame.shaders.program(desc);
@@ -183,14 +220,6 @@ void TextureSpacePass::draw(PassContext& context, const Drawn& drawn) {
         program.set("base_colour", glm::vec3(material.base_colour));
         program.set("pre_scatter", drawn.pre_scatter);
         bind_slot(program, frame.gpu_scene, "base_colour_map", material.base_colour_texture);
-    }
-    if (taps) {
-        program.texture("map_steps", drawn.maps.steps(), {.filter = gpu::Filter::nearest});
-        const auto kernel = hable_taps(drawn.profile);
-        for (size_t i = 0; i < kernel.size(); ++i) {
-            program.set(fmt::format("tap_offsets[{}]", i), kernel[i].offset);
-            program.set(fmt::format("tap_weights[{}]", i), kernel[i].weight);
-        }
     }
     const DrawState state(DepthState::off);
     const bool mirrored = glm::determinant(glm::mat3(drawn.surface.transform)) < 0.0f;

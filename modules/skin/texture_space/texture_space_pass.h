@@ -38,8 +38,8 @@ class TextureSpacePass final : public Pass {
     void render(PassContext& context, size_t index, MapTechnique technique);
     SurfaceMaps& maps_of(PassContext& context, const Surface& surface, MapTechnique technique, const Stretch& stretch);
     [[nodiscard]] std::string state_of(PassContext& context, const Drawn& drawn) const;
-    void light(PassContext& context, const Drawn& drawn);
-    void enter(PassContext& context, const Drawn& drawn, bool keeps);
+    void make(PassContext& context, const Drawn& drawn, const ChunkSet& set);
+    void light(PassContext& context, const Drawn& drawn, const ChunkSet& set);
     void draw(PassContext& context, const Drawn& drawn);
 
     std::shared_ptr<SkinTables> tables_;

@@ -9,3 +9,13 @@ ivec2 map_texel(float packed_place) {
     int place = int(packed_place);
     return ivec2(place & 4095, place >> 12);
 }
+
+#ifdef CHUNKS
+layout(r32f) readonly uniform image2D chunk_list;
+/// The list's entry to work on.
+uint list_entry() {
+    return uint(imageLoad(chunk_list, list_texel(gl_WorkGroupID.x)).x) * 64u + gl_LocalInvocationID.x;
+}
+#else
+uint list_entry() { return gl_GlobalInvocationID.x; }
+#endif

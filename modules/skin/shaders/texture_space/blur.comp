@@ -47,7 +47,7 @@ void tap(vec4 texel, float chart, float amount, inout vec4 sum) {
 }
 
 void main() {
-    uint entry = gl_GlobalInvocationID.x;
+    uint entry = list_entry();
     if (entry >= list_size) return;
     vec4 step = imageLoad(steps, list_texel(entry));
     vec3 left = variances(step.xyz);

@@ -5,10 +5,9 @@ layout(rgba32f) uniform image2D map;
 layout(rgba32f) readonly uniform image2D taps;
 layout(rgba32f) readonly uniform image2D weights;
 layout(r32f) readonly uniform image2D gutter_charts;
-uniform float whole;  // 1: the map's alpha is 1 where something is, not a chart's number
 
 void main() {
-    uint entry = gl_GlobalInvocationID.x;
+    uint entry = list_entry();
     if (entry >= list_size) return;
     vec4 from = imageLoad(taps, list_texel(entry));
     vec4 weight = imageLoad(weights, list_texel(entry));
@@ -16,5 +15,5 @@ void main() {
     vec3 light = weight.x * imageLoad(map, map_texel(from.x)).rgb + weight.y * imageLoad(map, map_texel(from.y)).rgb +
                  weight.z * imageLoad(map, map_texel(from.z)).rgb +
                  max(1.0 - weight.x - weight.y - weight.z, 0.0) * imageLoad(map, map_texel(from.w)).rgb;
-    imageStore(map, map_texel(weight.w), vec4(light, mix(chart, min(chart, 1.0), whole)));
+    imageStore(map, map_texel(weight.w), vec4(light, chart));
 }

@@ -20,7 +20,7 @@ SLOT(occlusion_map)
 float level_of(ivec2 size) { return max(log2(float(max(size.x, size.y)) / uv_size), 0.0); }
 
 void main() {
-    uint entry = gl_GlobalInvocationID.x;
+    uint entry = list_entry();
     if (entry >= list_size) return;
     vec2 uv = (vec2(map_texel(imageLoad(steps, list_texel(entry)).w)) + 0.5 - gutter) / uv_size + tile;
     vec3 colour = base_colour;

@@ -12,7 +12,7 @@ uniform float keeps;
 uniform float gutter;
 
 void main() {
-    uint entry = gl_GlobalInvocationID.x;
+    uint entry = list_entry();
     if (entry >= list_size) return;
     ivec2 at = map_texel(imageLoad(steps, list_texel(entry)).w);
     vec3 all = vec3(0.0);

@@ -8,7 +8,7 @@ layout(r32f) readonly uniform image2D charts;
 uniform int gutter;  // texels around the UVs' square
 
 void main() {
-    uint entry = gl_GlobalInvocationID.x;
+    uint entry = list_entry();
     if (entry >= list_size) return;
     ivec2 at = map_texel(imageLoad(steps, list_texel(entry)).w);
     float chart = imageLoad(charts, list_texel(entry)).x;

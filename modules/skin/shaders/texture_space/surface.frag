@@ -1,4 +1,4 @@
-// Puts light that has spread in a map in place of what arrives at the pixels. HABLE: spreads it here, by thirteen taps.
+// Puts light that has spread in a map in place of what arrives at the pixels.
 #include "render/shaders/frame.glsl"
 #include "render/shaders/gbuffer.glsl"
 #include "skin/texture_space/slot.glsl"
@@ -16,34 +16,13 @@ uniform vec3 base_colour;
 uniform float pre_scatter;
 SLOT(base_colour_map)
 #endif
-#ifdef HABLE
-uniform sampler2D map_steps;
-uniform vec2 tap_offsets[13];  // metres of the map
-uniform vec3 tap_weights[13];
-
-vec3 spread_light(vec2 place) {
-    vec2 texel = 1.0 / vec2(textureSize(map, 0));
-    vec3 steps = texelFetch(map_steps, ivec2(place / texel), 0).xyz;
-    vec3 light = vec3(0.0), weight = vec3(1e-6);
-    for (int i = 0; i < 13; ++i) {
-        float rows = tap_offsets[i].y * steps.z;
-        vec4 tap = textureLod(map, place + texel * vec2(tap_offsets[i].x * steps.x + rows * steps.y, rows), 0.0);
-        light += tap_weights[i] * tap.rgb;
-        weight += tap_weights[i] * tap.a;
-    }
-    return light / weight;
-}
-#else
-vec3 spread_light(vec2 place) { return textureLod(map, place, 0.0).rgb; }
-#endif
-
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     // another surface, or another part of this one, is in front
     if (surface_number(texelFetch(gbuffer_surface, pixel, 0)) != number) discard;
     float depth = texelFetch(scene_depth, pixel, 0).x;
     if (depth <= 0.0 || abs(view_depth(depth) * gl_FragCoord.w - 1.0) > 5e-4) discard;
-    vec3 light = spread_light(v_uv * map_from_uv.xy + map_from_uv.zw);
+    vec3 light = textureLod(map, v_uv * map_from_uv.xy + map_from_uv.zw, 0.0).rgb;
 #ifdef COLOURED
     vec3 colour = base_colour;
     if (base_colour_map_share > 0.0) colour *= texture(base_colour_map, base_colour_map_place(v_uv)).rgb;

@@ -9,7 +9,6 @@ layout(rgba32f) readonly uniform image2D normals;
 layout(rgba32f) readonly uniform image2D finish;
 uniform mat4 world_from_local;
 uniform mat3 normal_from_local;
-uniform float whole;  // 1: the map's alpha is 1 where something is, not a chart's number
 
 struct Texel {
     vec3 place;
