@@ -92,6 +92,12 @@ std::string find_tile(const Mesh& mesh, glm::vec2& tile) {
         low.x, low.y, high.x, high.y);
 }
 
+glm::vec3 face_of(const Mesh& mesh, const uint32_t* corner) {
+    const glm::vec3& a = mesh.positions[corner[0]];
+    const glm::vec3 n = glm::cross(mesh.positions[corner[1]] - a, mesh.positions[corner[2]] - a);
+    return n / std::max(glm::length(n), 1e-30f);
+}
+
 double area_of(const Mesh& mesh, size_t first, const glm::mat3& shape) {
     const glm::vec3& a = mesh.positions[mesh.indices[first]];
     const glm::vec3 p = shape * (mesh.positions[mesh.indices[first + 1]] - a);
@@ -156,6 +162,7 @@ class AtlasMaker {
             metric.vv += shares[i] * part.vv;
         }
         texel.normal /= std::max(glm::length(texel.normal), 1e-12f);
+        texel.face = face_of(mesh_, corner);
         texel.steps = steps_of(metric);
         texel.area = std::sqrt(std::max(metric.determinant(), 0.0f));
         return texel;

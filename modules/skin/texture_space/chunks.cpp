@@ -23,38 +23,72 @@ bool holds(const ChunkSet& whole, const ChunkSet& part) {
     return true;
 }
 
+std::vector<size_t> chunk_begins(const Atlas& atlas) {
+    constexpr int kElsewhere = 16;  // texels
+    std::vector<size_t> begins;
+    for (size_t i = 0; i < atlas.texels.size(); ++i) {
+        const AtlasTexel& texel = atlas.texels[i];
+        if (!begins.empty()) {
+            const AtlasTexel& first = atlas.texels[begins.back()];
+            const glm::ivec2 way = glm::abs(texel.at - first.at);
+            const bool near = texel.chart == first.chart && std::max(way.x, way.y) < kElsewhere;
+            if (near && i - begins.back() < kChunkTexels) continue;
+        }
+        begins.push_back(i);
+    }
+    begins.push_back(atlas.texels.size());
+    return begins;
+}
+
 AtlasChunks::AtlasChunks(const Atlas& atlas) {
     const std::vector<AtlasTexel>& texels = atlas.texels;
-    for (size_t first = 0; first < texels.size(); first += kChunkTexels) {
-        const size_t end = std::min(first + kChunkTexels, texels.size());
+    const std::vector<size_t> begins = chunk_begins(atlas);
+    for (size_t number = 0; number + 1 < begins.size(); ++number) {
+        const size_t first = begins[number], end = begins[number + 1];
         Chunk chunk;
         glm::vec3 low(1e30f), high(-1e30f);
         for (size_t i = first; i < end; ++i) {
             low = glm::min(low, texels[i].position);
             high = glm::max(high, texels[i].position);
-            chunk.axis += texels[i].normal;
         }
         chunk.centre = 0.5f * (low + high);
-        chunk.axis /= std::max(glm::length(chunk.axis), 1e-12f);
-        for (size_t i = first; i < end; ++i) {
+        for (size_t i = first; i < end; ++i)
             chunk.radius = std::max(chunk.radius, glm::distance(chunk.centre, texels[i].position));
-            const float cosine = glm::clamp(glm::dot(chunk.axis, texels[i].normal), -1.0f, 1.0f);
-            chunk.angle = std::max(chunk.angle, std::acos(cosine));
-        }
+        chunk.normals = cone_of(atlas, first, end, &AtlasTexel::normal);
+        chunk.faces = cone_of(atlas, first, end, &AtlasTexel::face);
         chunks_.push_back(chunk);
     }
 }
 
-ChunkSet AtlasChunks::facing(const glm::vec4& place, float widened) const {
+AtlasChunks::Cone AtlasChunks::cone_of(const Atlas& atlas, size_t first, size_t end, glm::vec3 AtlasTexel::*direction) {
+    Cone cone;
+    for (size_t i = first; i < end; ++i) cone.axis += atlas.texels[i].*direction;
+    cone.axis /= std::max(glm::length(cone.axis), 1e-12f);
+    for (size_t i = first; i < end; ++i) {
+        const float cosine = glm::clamp(glm::dot(cone.axis, atlas.texels[i].*direction), -1.0f, 1.0f);
+        cone.angle = std::max(cone.angle, std::acos(cosine));
+    }
+    return cone;
+}
+
+ChunkSet AtlasChunks::lit_from(const glm::vec4& place) const {
+    return facing(place, &Chunk::normals);
+}
+
+ChunkSet AtlasChunks::seen_from(const glm::vec4& place) const {
+    return facing(place, &Chunk::faces);
+}
+
+ChunkSet AtlasChunks::facing(const glm::vec4& place, Cone Chunk::*cone) const {
+    constexpr float kPi = std::numbers::pi_v<float>, kRounding = 1e-3f;
     ChunkSet set(size());
     for (size_t i = 0; i < size(); ++i) {
         const Chunk& chunk = chunks_[i];
         const glm::vec3 way = glm::vec3(place) - place.w * chunk.centre;
-        const float distance = glm::length(way);
-        const float ball = std::asin(std::min(place.w * chunk.radius / std::max(distance, 1e-20f), 1.0f));
-        const float least = 0.5f * std::numbers::pi_v<float> + chunk.angle + ball + widened;
-        const float cosine = glm::dot(chunk.axis, way) / std::max(distance, 1e-20f);
-        set[i] = least >= std::numbers::pi_v<float> || cosine >= std::cos(least) ? 1 : 0;
+        const float distance = std::max(glm::length(way), 1e-20f);
+        const float ball = std::asin(std::min(place.w * chunk.radius / distance, 1.0f));
+        const float most = 0.5f * kPi + (chunk.*cone).angle + ball + kRounding;
+        set[i] = most >= kPi || glm::dot((chunk.*cone).axis, way) >= distance * std::cos(most) ? 1 : 0;
     }
     return set;
 }

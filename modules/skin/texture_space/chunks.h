@@ -11,8 +11,10 @@
 
 namespace tyndall::skin {
 
-/// Texels in a group, one after the other in the atlas' list; a shader's group.
+/// The most texels in a group, one after the other in the atlas' list; a shader's group.
 inline constexpr int kChunkTexels = 64;
+/// The first texels of the groups, and how many texels there are: a group ends early where the next texel is elsewhere.
+[[nodiscard]] std::vector<size_t> chunk_begins(const Atlas& atlas);
 
 /// Which chunks of an atlas, one byte each: 0 = not.
 using ChunkSet = std::vector<uint8_t>;
@@ -26,21 +28,28 @@ class AtlasChunks {
 
     [[nodiscard]] size_t size() const { return chunks_.size(); }
     [[nodiscard]] ChunkSet all() const { return ChunkSet(size(), 1); }
-    /// Those with a texel that faces a place, or with w = 0 a direction; in the mesh's space. `widened`: by how much
-    /// faces may turn away from the vertices' normals, radians.
-    [[nodiscard]] ChunkSet facing(const glm::vec4& place, float widened) const;
+    /// Those with a vertices' normal that faces a place, or with w = 0 a direction; in the mesh's space.
+    [[nodiscard]] ChunkSet lit_from(const glm::vec4& place) const;
+    /// Those with a triangle that does.
+    [[nodiscard]] ChunkSet seen_from(const glm::vec4& place) const;
     /// Takes out those whose ball (in the mesh's space) `keeps` does not want.
     void remove(ChunkSet& set, const std::function<bool(const glm::vec3& centre, float radius)>& keeps) const;
     /// With all that is within `reach` of them, in the mesh's space; slow when `reach` is another than last time.
     [[nodiscard]] ChunkSet grown(const ChunkSet& set, float reach);
 
  private:
+    /// Holds directions.
+    struct Cone {
+        glm::vec3 axis{0.0f};
+        float angle = 0.0f;  ///< half of its opening, radians
+    };
     struct Chunk {
         glm::vec3 centre{0.0f};
         float radius = 0.0f;
-        glm::vec3 axis{0.0f};  ///< of a cone that holds all normals
-        float angle = 0.0f;    ///< half of its opening, radians
+        Cone normals, faces;
     };
+    static Cone cone_of(const Atlas& atlas, size_t first, size_t end, glm::vec3 AtlasTexel::*direction);
+    [[nodiscard]] ChunkSet facing(const glm::vec4& place, Cone Chunk::*cone) const;
     void find_neighbours(float reach);
 
     std::vector<Chunk> chunks_;

@@ -31,18 +31,21 @@ glm::vec4 packed(const TexelSteps& steps, const glm::ivec2& at) {
 }  // namespace
 
 GpuAtlas::GpuAtlas(const Atlas& atlas, bool surface)
-    : extent(atlas.extent()),
-      covered(int(atlas.texels.size())),
-      gutters(int(atlas.gutters.size() - atlas.padding)),
-      padding(int(atlas.padding)) {
+    : extent(atlas.extent()), gutters(int(atlas.gutters.size() - atlas.padding)), padding(int(atlas.padding)) {
     std::vector<glm::vec4> step_list, tap_list, weight_list, place_list, normal_list;
     std::vector<float> chart_list, gutter_chart_list;
-    for (const AtlasTexel& texel : atlas.texels) {
+    const auto add = [&](const AtlasTexel& texel) {
         step_list.push_back(packed(texel.steps, texel.at));
         chart_list.push_back(float(texel.chart));
         place_list.emplace_back(texel.position, packed(texel.at));
         normal_list.emplace_back(texel.normal, float(texel.chart));
+    };
+    const std::vector<size_t> begins = chunk_begins(atlas);
+    for (size_t chunk = 0; chunk + 1 < begins.size(); ++chunk) {
+        for (size_t i = begins[chunk]; i < begins[chunk + 1]; ++i) add(atlas.texels[i]);
+        while (step_list.size() % kChunkTexels != 0) add({.normal = {0.0f, 0.0f, 1.0f}});
     }
+    covered = int(step_list.size());
     for (const GutterTexel& gutter : atlas.gutters) {
         tap_list.emplace_back(packed(gutter.taps[0]), packed(gutter.taps[1]), packed(gutter.taps[2]),
                               packed(gutter.taps[3]));
@@ -68,19 +71,20 @@ gpu::Texture GpuAtlas::make_map(std::string_view label, gpu::Format format) cons
     return map;
 }
 
-ChunkList::ChunkList(const GpuAtlas& atlas, const ChunkSet& set, bool gutters)
-    : entries_(unsigned(atlas.covered + (gutters ? atlas.gutters : 0))) {
-    std::vector<float> numbers;
+void ChunkList::update(const GpuAtlas& atlas, const ChunkSet& set, bool gutters) {
+    entries_ = unsigned(atlas.covered + (gutters ? atlas.gutters : 0));
+    numbers_.clear();
     for (size_t i = 0; i < set.size(); ++i)
-        if (set[i] != 0) numbers.push_back(float(i));
-    // the first gutters are in the chunk of the last covered texels
-    const bool has_first = !set.empty() && set.back() != 0;
-    const size_t first =
-        size_t(atlas.covered) / kChunkTexels + (has_first && atlas.covered % kChunkTexels != 0 ? 1 : 0);
+        if (set[i] != 0) numbers_.push_back(float(i));
     if (gutters)
-        for (size_t i = first; i * kChunkTexels < entries_; ++i) numbers.push_back(float(i));
-    count_ = int(numbers.size());
-    list_ = make_list(std::move(numbers), gpu::Format::r32f, "skin.chunks");
+        for (size_t i = size_t(atlas.covered) / kChunkTexels; i * kChunkTexels < entries_; ++i)
+            numbers_.push_back(float(i));
+    count_ = int(numbers_.size());
+    const int rows = std::max(1, (count_ + kListColumns - 1) / kListColumns);
+    if (list_.name() == 0 || list_.desc().height < rows)
+        list_ = gpu::Texture({.format = gpu::Format::r32f, .width = kListColumns, .height = rows}, "skin.chunks");
+    numbers_.resize(size_t(list_.desc().height) * kListColumns);
+    list_.upload(0, 0, numbers_.data());
 }
 
 void ChunkList::dispatch(const gpu::Program& program) const {

@@ -2,6 +2,7 @@
 /// An atlas on the GPU: lists of its texels for compute shaders (shaders/texture_space/atlas.glsl).
 
 #include <string_view>
+#include <vector>
 
 #include "gpu/gpu.h"
 #include "texture_space/atlas.h"
@@ -17,6 +18,8 @@ struct GpuAtlas {
     /// `surface`: with the places and normals too.
     GpuAtlas(const Atlas& atlas, bool surface);
 
+    // Lists of covered texels have kChunkTexels for each chunk; what a chunk lacks is chart 0 at the map's corner,
+    // which no chart and no gutter reaches.
     gpu::Texture steps;    ///< covered texels, then gutters without padding: TexelSteps, place on the map
     gpu::Texture charts;   ///< the same: number of the chart
     gpu::Texture taps;     ///< gutters, padding last: places on the map of the four that they are made of
@@ -25,7 +28,7 @@ struct GpuAtlas {
     gpu::Texture places;   ///< covered texels: in the mesh's space, place on the map
     gpu::Texture normals;  ///< the same: in the mesh's space, chart
     int extent = 0;
-    int covered = 0;
+    int covered = 0;  ///< entries
     int gutters = 0;  ///< without padding
     int padding = 0;
 
@@ -36,14 +39,14 @@ struct GpuAtlas {
 /// Chunks of an atlas' list that shaders are to work on.
 class ChunkList {
  public:
-    ChunkList() = default;
     /// `set` chooses among those of covered texels; `gutters`: all of gutters too.
-    ChunkList(const GpuAtlas& atlas, const ChunkSet& set, bool gutters);
+    void update(const GpuAtlas& atlas, const ChunkSet& set, bool gutters);
     /// For a program that includes atlas.glsl with CHUNKS.
     void dispatch(const gpu::Program& program) const;
 
  private:
     gpu::Texture list_;
+    std::vector<float> numbers_;
     int count_ = 0;
     unsigned entries_ = 0;
 };

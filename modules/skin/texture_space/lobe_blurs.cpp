@@ -64,8 +64,8 @@ LobeBlurs::LobeBlurs(const std::array<Atlas, kLevels>& atlases) : kernels_(make_
         level.half = level.atlas.make_map("skin.texture_space.half");
         level.total = level.atlas.make_map("skin.texture_space.total");
         const ChunkSet all = AtlasChunks(atlas).all();
-        level.covered = ChunkList(level.atlas, all, false);
-        level.with_gutters = ChunkList(level.atlas, all, true);
+        level.covered.update(level.atlas, all, false);
+        level.with_gutters.update(level.atlas, all, true);
         levels_.push_back(std::move(level));
     }
     map_ = {atlases[0].texel_m, densest_of(atlases[0]), int(levels_.size())};
@@ -73,8 +73,8 @@ LobeBlurs::LobeBlurs(const std::array<Atlas, kLevels>& atlases) : kernels_(make_
 }
 
 void LobeBlurs::choose(const ChunkSet& set) {
-    levels_[0].covered = ChunkList(levels_[0].atlas, set, false);
-    levels_[0].with_gutters = ChunkList(levels_[0].atlas, set, true);
+    levels_[0].covered.update(levels_[0].atlas, set, false);
+    levels_[0].with_gutters.update(levels_[0].atlas, set, true);
 }
 
 void LobeBlurs::run(gpu::ShaderLibrary& shaders, const physics::DiffusionProfile& profile) {

@@ -59,7 +59,7 @@ void SurfaceMaps::choose(const ChunkSet& set) {
     if (blurs_)
         blurs_->choose(set);
     else
-        chosen_ = ChunkList(*atlas_, set, false);
+        chosen_.update(*atlas_, set, false);
 }
 
 void SurfaceMaps::spread(gpu::ShaderLibrary& shaders, const physics::DiffusionProfile& profile) {

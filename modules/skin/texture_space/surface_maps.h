@@ -37,7 +37,7 @@ class SurfaceMaps {
 
     [[nodiscard]] const GpuAtlas& atlas() const { return blurs_ ? blurs_->atlas() : *atlas_; }
     [[nodiscard]] AtlasChunks& chunks() { return *chunks_; }
-    /// What is to be lit and spread: all at first.
+    /// What is to be spread: all at first.
     void choose(const ChunkSet& set);
     /// The map to be lit; its alpha is the chart's number.
     [[nodiscard]] const gpu::Texture& light() const { return blurs_ ? blurs_->light() : light_; }

@@ -12,6 +12,7 @@
 #include "render/gpu_scene.h"
 #include "render/light_state.h"
 #include "render/pixel_rectangle.h"
+#include "texture_space/hable_taps.h"
 
 namespace tyndall::skin {
 namespace {
@@ -42,18 +43,13 @@ void bind_texels(const gpu::Program& program, const Surface& surface, const Surf
     program.set("normal_from_local", glm::inverseTranspose(glm::mat3(surface.transform)));
 }
 
-/// Faces of a mesh may turn away from its vertices' normals by this, radians.
-constexpr float kFacets = 0.35f;
-/// Standard deviations of a profile's widest lobe beyond which light does not count.
-constexpr float kReach = 3.5f;
-
-/// Texels that may be seen, and those that their light comes from.
-ChunkSet needed(PassContext& context, const Surface& surface, float scale, AtlasChunks& chunks) {
+/// Texels that may be seen.
+ChunkSet seen_chunks(PassContext& context, const Surface& surface, const AtlasChunks& chunks) {
     const glm::mat4 local_from_world = glm::inverse(surface.transform);
     const FrameBlock& block = context.frame().block;
     ChunkSet set = surface.material->double_sided
                        ? chunks.all()
-                       : chunks.facing(local_from_world * glm::vec4(glm::vec3(block.eye_near), 1.0f), kFacets);
+                       : chunks.seen_from(local_from_world * glm::vec4(glm::vec3(block.eye_near), 1.0f));
     const Frustum frustum(block.view_projection);
     const glm::mat3 linear(surface.transform);
     const float longest = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
@@ -61,11 +57,25 @@ ChunkSet needed(PassContext& context, const Surface& surface, float scale, Atlas
         const glm::vec3 middle(surface.transform * glm::vec4(centre, 1.0f));
         return frustum.touches({middle - longest * radius, middle + longest * radius});
     });
+    return set;
+}
+
+/// Metres of the world from which light comes.
+float reach_of(const physics::DiffusionProfile& profile, MapTechnique technique) {
+    if (technique == MapTechnique::taps) {
+        float reach = 0.0f;
+        for (const HableTap& tap : hable_taps(profile)) reach = std::max(reach, glm::length(tap.offset));
+        return reach;
+    }
+    constexpr float kDeviations = 3.5f;
+    return profile.lobes.empty() ? 0.0f : kDeviations * std::sqrt(profile.lobes.back().variance_m2);
+}
+
+/// Those and the ones that their light comes from.
+ChunkSet lit_chunks(const Surface& surface, const ChunkSet& seen, MapTechnique technique, AtlasChunks& chunks) {
+    const glm::mat3 linear(surface.transform);
     const float shortest = std::min({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
-    const float widest = surface.diffusion->profile.lobes.empty()
-                             ? 0.0f
-                             : std::sqrt(surface.diffusion->profile.lobes.back().variance_m2);
-    return chunks.grown(set, kReach * widest / std::max(std::min(shortest, scale), 1e-12f));
+    return chunks.grown(seen, reach_of(surface.diffusion->profile, technique) / std::max(shortest, 1e-12f));
 }
 
 /// Where a light stands, or with w = 0 the direction to it, in the mesh's space.
@@ -115,23 +125,24 @@ void TextureSpacePass::render(PassContext& context, size_t index, MapTechnique t
                       maps_of(context, surface, technique, stretch)};
     std::string state = state_of(context, drawn);
     const bool same = settings_.texture_space.keep && state == drawn.maps.made_from;
-    ChunkSet set = needed(context, surface, stretch.scale, drawn.maps.chunks());
-    if (!same || !holds(drawn.maps.made, set)) {
+    ChunkSet seen = seen_chunks(context, surface, drawn.maps.chunks());
+    if (!same || !holds(drawn.maps.made, seen)) {
         // where only the camera moves all of it is made once
-        if (same) set = drawn.maps.chunks().all();
-        make(context, drawn, set);
+        if (same) seen = drawn.maps.chunks().all();
+        make(context, drawn, seen);
         drawn.maps.made_from = std::move(state);
-        drawn.maps.made = std::move(set);
+        drawn.maps.made = std::move(seen);
     }
     draw(context, drawn);
 }
 
-void TextureSpacePass::make(PassContext& context, const Drawn& drawn, const ChunkSet& set) {
+void TextureSpacePass::make(PassContext& context, const Drawn& drawn, const ChunkSet& seen) {
     Frame& frame = context.frame();
     drawn.maps.finish.update(frame.shaders, frame.gpu_scene, *drawn.surface.material, drawn.pre_scatter,
                              drawn.maps.atlas(), drawn.maps.tile());
-    drawn.maps.choose(set);
-    light(context, drawn, set);
+    const ChunkSet lit = lit_chunks(drawn.surface, seen, drawn.technique, drawn.maps.chunks());
+    drawn.maps.choose(drawn.technique == MapTechnique::taps ? seen : lit);
+    light(context, drawn, lit);
     drawn.maps.spread(frame.shaders, drawn.profile);
 }
 
@@ -180,20 +191,22 @@ void TextureSpacePass::light(PassContext& context, const Drawn& drawn, const Chu
     bind_frame(begin, frame);
     frame.seams.bind(Seam::indirect_light, begin, context);
     bind_texels(begin, drawn.surface, drawn.maps);
-    ChunkList(drawn.maps.atlas(), set, false).dispatch(begin);
+    list_.update(drawn.maps.atlas(), set, false);
+    list_.dispatch(begin);
 
     const glm::mat4 local_from_world = glm::inverse(drawn.surface.transform);
     light_programs_.begin();
     for (size_t i = 0; i < frame.scene.lights.size(); ++i) {
         const glm::vec4 place = place_of(frame.scene.lights[i], local_from_world);
-        const ChunkSet lit = set & drawn.maps.chunks().facing(place, 0.0f);
+        const ChunkSet lit = set & drawn.maps.chunks().lit_from(place);
         const gpu::Program& program = light_programs_.use(frame, i, [&](const gpu::Program& fresh) {
             frame.seams.bind(Seam::light_transmittance, fresh, context);
             tables_->bind(fresh, frame.scene);
             bind_texels(fresh, drawn.surface, drawn.maps);
         });
         program.set("light_index", unsigned(i));
-        ChunkList(drawn.maps.atlas(), lit, false).dispatch(program);
+        list_.update(drawn.maps.atlas(), lit, false);
+        list_.dispatch(program);
     }
 }
 
@@ -205,6 +218,7 @@ void TextureSpacePass::draw(PassContext& context, const Drawn& drawn) {
                           .vertex = "skin/texture_space/surface.vert",
                           .fragment = "skin/texture_space/surface.frag"};
     if (coloured) desc.defines.emplace_back("COLOURED");
+    if (drawn.pre_scatter == 0.5f) desc.defines.emplace_back("ROOT");
     context.bind_targets();
     const gpu::Program& program = frame.shaders.program(desc);
     program.use();

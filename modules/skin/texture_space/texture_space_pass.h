@@ -38,7 +38,7 @@ class TextureSpacePass final : public Pass {
     void render(PassContext& context, size_t index, MapTechnique technique);
     SurfaceMaps& maps_of(PassContext& context, const Surface& surface, MapTechnique technique, const Stretch& stretch);
     [[nodiscard]] std::string state_of(PassContext& context, const Drawn& drawn) const;
-    void make(PassContext& context, const Drawn& drawn, const ChunkSet& set);
+    void make(PassContext& context, const Drawn& drawn, const ChunkSet& seen);
     void light(PassContext& context, const Drawn& drawn, const ChunkSet& set);
     void draw(PassContext& context, const Drawn& drawn);
 
@@ -47,6 +47,7 @@ class TextureSpacePass final : public Pass {
     Kept<MapKey, std::unique_ptr<SurfaceMaps>> maps_;
     UsableMaps usable_;
     LightPrograms light_programs_;
+    ChunkList list_;  ///< for one dispatch
 };
 
 }  // namespace tyndall::skin

@@ -1,4 +1,5 @@
-// Puts light that has spread in a map in place of what arrives at the pixels.
+// Puts light that has spread in a map in place of what arrives at the pixels. COLOURED: colour to a power counted where it
+// entered; ROOT: the power is a half.
 #include "render/shaders/frame.glsl"
 #include "render/shaders/gbuffer.glsl"
 #include "skin/texture_space/slot.glsl"
@@ -26,7 +27,12 @@ void main() {
 #ifdef COLOURED
     vec3 colour = base_colour;
     if (base_colour_map_share > 0.0) colour *= texture(base_colour_map, base_colour_map_place(v_uv)).rgb;
-    light /= pow(max(colour, vec3(kLeastColour)), vec3(pre_scatter));
+    colour = max(colour, vec3(kLeastColour));
+#ifdef ROOT
+    light *= inversesqrt(colour);
+#else
+    light *= pow(colour, vec3(-pre_scatter));
+#endif
 #endif
     light_diffuse = vec4(light, 0.0);
 }
