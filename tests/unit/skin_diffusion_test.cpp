@@ -4,13 +4,13 @@
 
 #include <cmath>
 #include <functional>
-#include <glm/gtc/matrix_transform.hpp>
+#include <map>
 
 #include "core/paths.h"
 #include "gpu_fixture.h"
 #include "scene/primitives.h"
 #include "skin_meshes.h"
-#include "texture_space/lobe_blurs.h"
+#include "texture_space/surface_maps.h"
 
 namespace tyndall::skin {
 namespace {
@@ -57,8 +57,7 @@ class SkinDiffusion : public GpuTest {
         GpuTest::TearDown();
     }
 
-    Spread spread(const Mesh& mesh, int size, const std::function<glm::vec3(const AtlasTexel&)>& light,
-                  const physics::DiffusionProfile& profile = kSkin) {
+    static Spread lit_map(const Mesh& mesh, int size, const std::function<glm::vec3(const AtlasTexel&)>& light) {
         Spread spread;
         spread.atlases = atlases_of(mesh, size);
         const Atlas& atlas = spread.atlases[0];
@@ -66,7 +65,24 @@ class SkinDiffusion : public GpuTest {
         spread.before.resize(size_t(atlas.extent()) * size_t(atlas.extent()));
         for (const AtlasTexel& texel : atlas.texels)
             spread.before[atlas.index(texel.at)] = glm::vec4(light(texel), float(texel.chart));
+        return spread;
+    }
+
+    Spread spread_by_taps(const Mesh& mesh, int size, const std::function<glm::vec3(const AtlasTexel&)>& light) {
+        Spread spread = lit_map(mesh, size, light);
+        SurfaceMaps maps(mesh, {.mesh = 1, .size = size, .technique = MapTechnique::taps}, glm::mat3(1.0f));
+        auto& map = const_cast<gpu::Texture&>(maps.light());
+        map.upload(0, 0, spread.before.data());
+        maps.spread(*shaders_, kSkin);
+        spread.after = maps.result().read();
+        return spread;
+    }
+
+    Spread spread(const Mesh& mesh, int size, const std::function<glm::vec3(const AtlasTexel&)>& light,
+                  const physics::DiffusionProfile& profile = kSkin, const ChunkSet* chosen = nullptr) {
+        Spread spread = lit_map(mesh, size, light);
         LobeBlurs blurs(spread.atlases);
+        if (chosen) blurs.choose(*chosen);
         auto& map = const_cast<gpu::Texture&>(blurs.light());
         map.upload(0, 0, spread.before.data());
         blurs.run(*shaders_, profile);
@@ -240,6 +256,102 @@ TEST_F(SkinDiffusion, ASphereKeepsItsLightAndShowsNoSeam) {
         for (int i = 0; i < 3; ++i) EXPECT_NEAR(ratio[i], 1.0, 0.01);
         EXPECT_LE(at_seam, 0.02);
     }
+}
+
+TEST_F(SkinDiffusion, HablesTapsAreNearAKnifeEdge) {
+    constexpr float kWidth = 0.05f;
+    const Mesh mesh = sheet(kWidth, kWidth, {0, 0}, {1, 1});
+    for (const int size : {512, 256, 128}) {
+        glm::dvec3 squares(0.0);
+        glm::vec3 farthest(0.0f), width(0.0f);
+        constexpr int kDirections = 12;
+        for (int i = 0; i < kDirections; ++i) {
+            const float angle = glm::radians(360.0f * float(i) / kDirections);
+            const glm::vec2 across(std::cos(angle), std::sin(angle));
+            const Spread edge = spread_by_taps(mesh, size, [&](const AtlasTexel& t) {
+                return glm::vec3(glm::dot(glm::vec2(t.position), across) > 0.0f ? 1.0f : 0.0f);
+            });
+            const auto line = [&](float x) {
+                return edge.at(edge.atlases[0].place(glm::vec2(x * across.x, -x * across.y) / kWidth + 0.5f));
+            };
+            const glm::vec3 error = error_of(line, [](float x) { return kSkin.edge(x); });
+            squares += glm::dvec3(error) * glm::dvec3(error) / double(kDirections);
+            farthest = glm::max(farthest, error);
+        }
+        const glm::vec3 mean(glm::sqrt(squares));
+        std::printf("texels of %.3f mm: edge RMS over all directions %s, worst direction %s\n",
+                    1e3 * double(kWidth) / size, text(mean).c_str(), text(farthest).c_str());
+        EXPECT_LE(worst(farthest), 0.05f);
+        EXPECT_GE(worst(mean), 0.001f);  // thirteen taps are not the profile
+    }
+}
+
+TEST_F(SkinDiffusion, HablesTapsAreAsWideInAllMaps) {
+    // means over all directions, since the taps have a pattern
+    const auto width_at = [&](int size, float share) {
+        constexpr float kWidth = 0.05f;
+        const Mesh mesh = sheet(kWidth, kWidth, glm::vec2(0.5f - 0.5f * share), glm::vec2(0.5f + 0.5f * share));
+        double sum = 0.0;
+        for (int i = 0; i < 8; ++i) {
+            const float angle = glm::radians(45.0f * float(i));
+            const glm::vec2 across(std::cos(angle), std::sin(angle));
+            const Spread edge = spread_by_taps(mesh, size, [&](const AtlasTexel& t) {
+                return glm::vec3(glm::dot(glm::vec2(t.position), across) > 0.0f ? 1.0f : 0.0f);
+            });
+            // the mean distance of light from the edge: the width of any response that ends
+            for (int j = 0; j < 1000; ++j) {
+                const float x = 0.008f * (float(j) + 0.5f) / 1000.0f;
+                const auto at = [&](float d) {
+                    const glm::vec2 uv = share * glm::vec2(d * across.x, -d * across.y) / kWidth + 0.5f;
+                    return edge.at(edge.atlases[0].place(uv)).x;
+                };
+                sum += double(1.0f - at(x) + at(-x)) * 0.008 / 1000.0 / 16.0;
+            }
+        }
+        return sum;
+    };
+    const double fine = width_at(512, 1.0f), half = width_at(512, 0.5f), small = width_at(256, 1.0f);
+    std::printf("mean distance from the edge, red, mm: %.4f; half the UVs %.4f; half the map %.4f\n", 1e3 * fine,
+                1e3 * half, 1e3 * small);
+    EXPECT_NEAR(half / fine, 1.0, 0.03);
+    EXPECT_NEAR(small / fine, 1.0, 0.03);
+}
+
+TEST_F(SkinDiffusion, WhatIsNotChosenDoesNotShow) {
+    Mesh mesh = make_primitive(Primitive::sphere, 64);
+    for (glm::vec3& position : mesh.positions) position *= 0.1f;
+    const glm::vec3 eye(0.05f, 0.1f, 0.3f), light = glm::normalize(glm::vec3(1.0f, 0.3f, 0.2f));
+    const auto lit = [&](const AtlasTexel& t) { return glm::vec3(std::max(glm::dot(t.normal, light), 0.0f)); };
+    const Spread all = spread(mesh, 256, lit);
+    AtlasChunks chunks(all.atlases[0]);
+    const ChunkSet seen = chunks.seen_from(glm::vec4(eye, 1.0f));
+    const ChunkSet chosen = chunks.grown(seen, 3.5f * std::sqrt(kSkin.lobes.back().variance_m2));
+    EXPECT_TRUE(holds(chosen, seen));
+    EXPECT_FALSE(holds(seen, chosen));
+    const auto in = [&](const ChunkSet& set, size_t texel) {
+        const std::vector<size_t> begins = chunk_begins(all.atlases[0]);
+        return set[size_t(std::ranges::upper_bound(begins, texel) - begins.begin()) - 1] != 0;
+    };
+    const std::vector<AtlasTexel>& texels = all.atlases[0].texels;
+    std::map<std::pair<int, int>, bool> dark;
+    for (size_t i = 0; i < texels.size(); ++i) dark[{texels[i].at.x, texels[i].at.y}] = !in(chosen, i);
+    const Spread part = spread(
+        mesh, 256,
+        [&](const AtlasTexel& t) {
+            return dark[{t.at.x, t.at.y}] ? glm::vec3(0.0f) : lit(t);
+        },
+        kSkin, &chosen);
+    float error = 0.0f;
+    size_t count = 0;
+    for (size_t i = 0; i < texels.size(); ++i) {
+        if (glm::dot(texels[i].face, eye - texels[i].position) <= 0.0f) continue;
+        ++count;
+        EXPECT_TRUE(in(seen, i));
+        const size_t at = all.atlases[0].index(texels[i].at);
+        error = std::max(error, glm::distance(glm::vec3(all.after[at]), glm::vec3(part.after[at])));
+    }
+    std::printf("%zu of %zu texels are seen; worst difference there %.5f\n", count, texels.size(), double(error));
+    EXPECT_LT(error, 2e-3f);
 }
 
 }  // namespace
