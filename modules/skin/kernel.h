@@ -1,6 +1,8 @@
 #pragma once
 /// A diffusion profile as few taps along a line.
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
 

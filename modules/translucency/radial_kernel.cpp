@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/non_negative.h"
 #include "physics/physics.h"
 
 namespace tyndall::translucency {
@@ -12,35 +13,6 @@ namespace {
 constexpr int kBeamSources = 32;
 
 using Gaussians = std::array<double, RadialKernel::kGaussians>;
-
-/// Of a sum of Gaussians with weights that are not negative.
-class NormalEquations {
- public:
-    /// At a place: the Gaussians there, what they should sum up to, and how much an error there counts.
-    void add(Gaussians basis, double wanted, double scale) {
-        for (double& value : basis) value *= scale;
-        for (size_t k = 0; k < basis.size(); ++k) {
-            right_[k] += basis[k] * wanted * scale;
-            for (size_t j = 0; j < basis.size(); ++j) left_[k][j] += basis[k] * basis[j];
-        }
-    }
-    /// By descent along one coordinate after the other.
-    [[nodiscard]] Gaussians solve() const {
-        constexpr int kSweeps = 6000;
-        Gaussians w{};
-        for (int sweep = 0; sweep < kSweeps; ++sweep)
-            for (size_t k = 0; k < w.size(); ++k) {
-                double slope = right_[k];
-                for (size_t j = 0; j < w.size(); ++j) slope -= left_[k][j] * w[j];
-                w[k] = std::max(0.0, w[k] + slope / left_[k][k]);
-            }
-        return w;
-    }
-
- private:
-    std::array<Gaussians, RadialKernel::kGaussians> left_{};
-    Gaussians right_{};
-};
 
 }  // namespace
 
@@ -147,7 +119,7 @@ void RadialKernel::fit() {
     constexpr int kPlaces = 96;
     const double narrowest = 1.0 / (piece_radius_ * piece_radius_);
     rate_ = float(std::ldexp(narrowest, 1 - kGaussians));
-    std::array<NormalEquations, 3> equations;
+    std::vector<physics::NonNegativeEquations> equations(3, physics::NonNegativeEquations(kGaussians));
     glm::dvec3 most(0.0);
     for (int i = 0; i < kPlaces; ++i) {
         const double r = 0.2 * piece_radius_ * std::pow(1250.0, double(i) / (kPlaces - 1));
@@ -159,7 +131,7 @@ void RadialKernel::fit() {
             equations[size_t(c)].add(basis, wanted[c], 1.0 / (wanted[c] + 1e-9 * most[c] + 1e-300));
     }
     for (int c = 0; c < 3; ++c) {
-        const Gaussians weights = equations[size_t(c)].solve();
+        const std::vector<double> weights = equations[size_t(c)].solve();
         for (size_t k = 0; k < weights.size(); ++k) weights_[k][c] = float(weights[k]);
     }
 }

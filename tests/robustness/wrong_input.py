@@ -169,7 +169,22 @@ def capture_files(t):
     t.check(done is not None and done.returncode == 1 and "FAILED" in done.stdout, "a failed expectation ends with 1")
 
 
+def profiles(t):
+    """Of skin, as text of its own."""
+    t.refused("unknown preset of a profile", ["profile", "--preset", "skin3"], "'skin3'", "did you mean 'skin1'")
+    t.refused("missing profile", ["profile", "no/such.json"], "no/such.json")
+    for name, content, *expected in (
+            ("profile of an unknown kind", {"berley": {}}, "did you mean 'burley'"),
+            ("profile without lobes", {"profile": {"gaussians": {}}}, "no lobe"),
+            ("profile without layers", {"layers": {}}, "no layer"),
+            ("profile of a negative variance", {"gaussians": {"lobes": [{"variance_mm2": -1}]}}, "/gaussians/lobes/0/variance_mm2"),
+            ("profile without weight", {"gaussians": {"lobes": [{"weight": [1, 0, 1]}]}}, "sum to 0"),
+            ("profile with a layer without end on top", {"layers": {"layers": [{}, {}]}}, "layer 0", "thickness_mm")):
+        t.refused(name, ["profile", t.file(name.replace(" ", "_") + ".json", json.dumps(content))], *expected)
+
+
 with Tests() as t:
+    profiles(t)
     command_line(t)
     scene_files(t)
     drawing(t)

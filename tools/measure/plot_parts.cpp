@@ -90,10 +90,11 @@ Legend legend_of(const Plot& plot, double left, double right) {
         });
         for (const PlotPoint& point : plot.series[s].points) hollow = hollow || point.within_noise;
     }
-    next("Pareto front", [](double at, double line) {
-        return fmt::format("<line class=\"tp-front\" x1=\"{:.1f}\" y1=\"{}\" x2=\"{:.1f}\" y2=\"{}\"/>", at - 9, line,
-                           at + 9, line);
-    });
+    if (plot.front)
+        next("Pareto front", [](double at, double line) {
+            return fmt::format("<line class=\"tp-front\" x1=\"{:.1f}\" y1=\"{}\" x2=\"{:.1f}\" y2=\"{}\"/>", at - 9,
+                               line, at + 9, line);
+        });
     if (hollow)
         next("hollow: within twice the reference's noise", [](double at, double line) {
             return fmt::format("<g class=\"tp-s0 tp-hollow\">{}</g>", marker(0, at, line));

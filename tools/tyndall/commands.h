@@ -26,6 +26,7 @@ void add_schema(CLI::App& app, Command& command);
 void add_validate(CLI::App& app, Command& command);
 void add_modules(CLI::App& app, Command& command);
 void add_mie(CLI::App& app, Command& command);
+void add_profile(CLI::App& app, Command& command);
 void add_farm(CLI::App& app, Command& command);
 void add_info(CLI::App& app, Command& command);
 

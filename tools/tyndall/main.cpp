@@ -1,4 +1,4 @@
-// tyndall: play, capture, bench, trace, merge, compare, measure, schema, validate, modules, mie, farm, info.
+// tyndall: play, capture, bench, trace, merge, compare, measure, schema, validate, modules, mie, profile, farm, info.
 
 #include <cstdio>
 
@@ -20,7 +20,7 @@ int run(int argc, char** argv) {
         "tyndall COMMAND --help says more. The environment: TYNDALL_LOG=debug|info|warning|error, OCIO, TYNDALL_ROOT.");
     Command command;
     for (const auto& add : {add_play, add_capture, add_bench, add_trace, add_merge, add_compare, add_measure,
-                            add_schema, add_validate, add_modules, add_mie, add_farm, add_info})
+                            add_schema, add_validate, add_modules, add_mie, add_profile, add_farm, add_info})
         add(app, command);
     CLI11_PARSE(app, argc, argv);
     return command();

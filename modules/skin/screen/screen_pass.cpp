@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/pixel_rectangle.h"
 
@@ -25,17 +27,36 @@ bool on_screen(Technique technique) {
     return technique == Technique::two_gaussians || technique == Technique::separable || technique == Technique::disc;
 }
 
-/// Drawing stays within the rectangle for the time of a scope.
-class Scissor {
+/// A full-screen triangle draws within a rectangle, and where something is nearer than a depth, for the time of a
+/// scope. Tests before the shader are what software renderers skip pixels by.
+class Within {
  public:
-    Scissor(glm::ivec2 low, glm::ivec2 high) {
+    Within(glm::ivec2 low, glm::ivec2 high, float far) : state_(DepthState::in_front) {
         glEnable(GL_SCISSOR_TEST);
         glScissor(low.x, low.y, high.x - low.x, high.y - low.y);
+        glDepthRangef(far, far);
     }
-    ~Scissor() { glDisable(GL_SCISSOR_TEST); }
-    Scissor(const Scissor&) = delete;
-    Scissor& operator=(const Scissor&) = delete;
+    ~Within() {
+        glDepthRangef(0.0f, 1.0f);
+        glDisable(GL_SCISSOR_TEST);
+    }
+    Within(const Within&) = delete;
+    Within& operator=(const Within&) = delete;
+
+ private:
+    DrawState state_;
 };
+
+/// Depth of the box's farthest corner, reversed-Z; 0 where it reaches behind the eye.
+float far_depth(const Bounds& bounds, const Frame& frame) {
+    float farthest = 0.0f;
+    for (int i = 0; i < 8; ++i) {
+        const glm::vec3 corner((i & 1) != 0 ? bounds.high.x : bounds.low.x, (i & 2) != 0 ? bounds.high.y : bounds.low.y,
+                               (i & 4) != 0 ? bounds.high.z : bounds.low.z);
+        farthest = std::max(farthest, (frame.block.view_projection * glm::vec4(corner, 1.0f)).w);
+    }
+    return farthest > 0.0f ? 0.999f * std::min(frame.block.eye_near.w / farthest, 1.0f) : 0.0f;
+}
 
 /// Metres of a pixel across the line of sight, where the box is nearest to the eye.
 float pixel_at(const Bounds& bounds, const Frame& frame) {
@@ -82,11 +103,13 @@ std::vector<ScreenPass::Group> ScreenPass::groups(PassContext& context) const {
             const auto number = std::ranges::find_if(
                 profiles, [&](const physics::DiffusionProfile* p) { return *p == surface.diffusion->profile; });
             groups.push_back({technique, &surface.diffusion->profile, float(number - profiles.begin() + 1), pixels.low,
-                              pixels.low + pixels.size, pixel_at(surface.bounds, frame)});
+                              pixels.low + pixels.size, pixel_at(surface.bounds, frame),
+                              far_depth(surface.bounds, frame)});
             continue;
         }
         group->low = glm::min(group->low, pixels.low);
         group->high = glm::max(group->high, pixels.low + pixels.size);
+        group->far = std::min(group->far, far_depth(surface.bounds, frame));
         group->pixel_m = std::min(group->pixel_m, pixel_at(surface.bounds, frame));
     }
     return groups;
@@ -131,17 +154,21 @@ const gpu::Program& ScreenPass::begin(PassContext& context, const gpu::ProgramDe
 
 void ScreenPass::pack(PassContext& context, const std::vector<Group>& groups) {
     static const gpu::ProgramDesc kDesc{.name = "skin.pack", .fragment = "skin/screen/pack.frag"};
-    static constexpr std::string_view kTargets[] = {"skin_light"};
+    static constexpr std::string_view kTargets[] = {"skin_light", "scene_depth"};
     glm::ivec2 low = groups.front().low, high = groups.front().high;
+    float far = 1.0f;
     for (const Group& group : groups) {
         low = glm::min(low, group.low);
         high = glm::max(high, group.high);
+        far = std::min(far, group.far);
     }
     context.bind_targets(kTargets, -1);
+    const std::array<float, 4> nothing{};
+    glClearBufferfv(GL_COLOR, 0, nothing.data());
     const gpu::Program& program = begin(context, kDesc);
     for (const char* target : {"scene_depth", "light_diffuse"})
         program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
-    const Scissor scissor(low - kMostTaps, high + kMostTaps);  // so that there is nothing around
+    const Within within(low, high, far);
     gpu::draw_fullscreen();
 }
 
@@ -149,12 +176,12 @@ void ScreenPass::gather(PassContext& context, const Group& group, const Kernel& 
                         int steps) {
     const bool disc = group.technique == Technique::disc;
     const bool last = step + 1 == steps;
-    const std::string_view target[] = {last ? "light_diffuse" : "skin_spread"};
+    const std::string_view targets[] = {last ? "light_diffuse" : "skin_spread", "scene_depth"};
     const gpu::ProgramDesc desc{
         .name = disc ? "skin.disc" : "skin.line",
         .fragment = "skin/screen/gather.frag",
         .defines = {fmt::format("TAPS {}", kernel.taps.size()), disc ? "DISC" : "LINE", last ? "LAST" : "FIRST"}};
-    context.bind_targets(target, -1);
+    context.bind_targets(targets, -1);
     const gpu::Program& program = begin(context, desc);
     program.texture("from", context.texture(from), {.filter = gpu::Filter::nearest});
     program.texture("skin_light", context.texture("skin_light"), {.filter = gpu::Filter::nearest});
@@ -166,9 +193,8 @@ void ScreenPass::gather(PassContext& context, const Group& group, const Kernel& 
     program.set("falloff", 0.5f / std::max({spread.x, spread.y, spread.z, 1e-12f}));
     program.set("profile", group.number);
     program.set("technique", float(group.technique));
-    program.set("second", step == 1 ? 1.0f : 0.0f);
     program.set("share", group.technique == Technique::two_gaussians ? kWideShare : glm::vec3(1.0f));
-    const Scissor scissor(group.low, group.high);
+    const Within within(group.low, group.high, group.far);
     gpu::draw_fullscreen();
 }
 

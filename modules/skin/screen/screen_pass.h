@@ -30,6 +30,7 @@ class ScreenPass final : public Pass {
         float number = 0.0f;  ///< of the profile, in the table
         glm::ivec2 low{0}, high{0};
         float pixel_m = 0.0f;  ///< metres of a pixel where the nearest of them is
+        float far = 0.0f;      ///< none of them is farther than this depth
     };
     /// A kernel made for a group.
     struct Kernel {
