@@ -70,7 +70,7 @@ class SkinTextureSpaceTest : public RendererTest {
         Engine engine(true);
         engine.load_scene(file, {});
         engine.renderer().retain({"light_diffuse"});
-        RenderScene& scene = engine.extract();
+        RenderScene scene = engine.extract();
         engine.renderer().render(scene, {kPixels, kPixels});
         if (look.moved_m != 0.0f) {
             scene.surfaces[0].transform[3].x += look.moved_m;
