@@ -2,6 +2,7 @@
 /// What a scene may choose of the techniques on the screen.
 
 #include "ecs/description.h"
+#include "texture_space/texture_space_settings.h"
 
 namespace tyndall::skin {
 
@@ -10,6 +11,7 @@ struct SkinSettings {
     bool enabled = true;
     int32_t taps = 11;
     int32_t disc_taps = 25;
+    TextureSpaceSettings texture_space;
 };
 
 inline void describe(StructBuilder<SkinSettings>& d) {
@@ -21,6 +23,7 @@ inline void describe(StructBuilder<SkinSettings>& d) {
             "as a portrait does; closer up there are more. Made odd.")
         .range(3, 63);
     d.field("disc_taps", &S::disc_taps, "Pixels that the technique disc looks at.").range(4, 64);
+    d.field("texture_space", &S::texture_space, "Techniques six_gaussians and hable.");
 }
 
 }  // namespace tyndall::skin

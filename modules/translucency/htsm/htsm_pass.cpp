@@ -7,10 +7,10 @@
 #include <span>
 
 #include "core/log.h"
-#include "light_state.h"
 #include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/light_buffer.h"
+#include "render/light_state.h"
 #include "render/pixel_rectangle.h"
 #include "render/seams.h"
 #include "render/shadow_maps.h"

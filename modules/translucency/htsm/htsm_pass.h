@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "htsm/solid.h"
-#include "kept.h"
 #include "render/frame_graph.h"
+#include "render/kept.h"
 #include "render/light_programs.h"
 #include "render/specular_table.h"
 #include "translucency_settings.h"

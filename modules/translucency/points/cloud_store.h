@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "body_space.h"
-#include "kept.h"
 #include "points/gpu_cloud.h"
+#include "render/kept.h"
 #include "scene/render_scene.h"
 
 namespace tyndall::translucency {

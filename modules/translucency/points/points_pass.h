@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "kept.h"
 #include "points/cloud_store.h"
 #include "render/frame_graph.h"
+#include "render/kept.h"
 #include "render/light_programs.h"
 #include "translucency_settings.h"
 #include "translucent_surfaces.h"

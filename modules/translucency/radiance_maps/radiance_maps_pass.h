@@ -6,10 +6,10 @@
 
 #include "body_space.h"
 #include "interior_block.h"
-#include "kept.h"
 #include "radiance_maps/light_maps.h"
 #include "radiance_maps/view_maps.h"
 #include "render/frame_graph.h"
+#include "render/kept.h"
 #include "render/light_programs.h"
 #include "translucency_settings.h"
 #include "translucent_surfaces.h"

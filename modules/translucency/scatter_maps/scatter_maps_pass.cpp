@@ -8,9 +8,9 @@
 
 #include "body_size.h"
 #include "core/log.h"
-#include "light_state.h"
 #include "render/draw_state.h"
 #include "render/frame.h"
+#include "render/light_state.h"
 #include "render/seams.h"
 #include "seen_surface.h"
 

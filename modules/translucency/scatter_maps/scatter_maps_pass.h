@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "interior_block.h"
-#include "kept.h"
 #include "phase_table.h"
 #include "render/frame_graph.h"
+#include "render/kept.h"
 #include "render/light_programs.h"
 #include "render/pixel_rectangle.h"
 #include "render/specular_table.h"

@@ -5,7 +5,7 @@
 
 #include "body_size.h"
 #include "body_space.h"
-#include "kept.h"
+#include "render/kept.h"
 #include "render/light_programs.h"
 #include "seen_surface.h"
 #include "translucency_settings.h"

@@ -8,10 +8,10 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "core/log.h"
-#include "light_state.h"
 #include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/gpu_scene.h"
+#include "render/light_state.h"
 #include "render/seams.h"
 
 namespace tyndall::translucency {

@@ -7,8 +7,8 @@
 
 #include "body_size.h"
 #include "interior_block.h"
-#include "kept.h"
 #include "render/frame_graph.h"
+#include "render/kept.h"
 #include "render/light_programs.h"
 #include "seen_surface.h"
 #include "translucency_settings.h"

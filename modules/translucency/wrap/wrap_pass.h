@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "body_size.h"
-#include "kept.h"
+#include "render/kept.h"
 #include "render/light_programs.h"
 #include "seen_surface.h"
 #include "translucency_settings.h"

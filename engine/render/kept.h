@@ -7,7 +7,7 @@
 
 #include "scene/render_scene.h"
 
-namespace tyndall::translucency {
+namespace tyndall {
 
 /// Values by a key. References to them stay good until they are forgotten.
 template <class Key, class T>
@@ -61,4 +61,4 @@ class KeptOfSurfaces {
     Kept<Key, T> kept_;
 };
 
-}  // namespace tyndall::translucency
+}  // namespace tyndall

@@ -6,10 +6,8 @@
 #include <type_traits>
 
 namespace tyndall {
-struct Frame;
-}
 
-namespace tyndall::translucency {
+struct Frame;
 
 /// Appends a value's bytes: equal strings mean that nothing has changed.
 template <class T>
@@ -21,4 +19,7 @@ void append_state(std::string& state, const T& value) {
 /// A light, its gobo, its shadow maps; with media in the air also the frame, since they change as they like.
 void append_light_state(std::string& state, const Frame& frame, size_t light, uint64_t frame_number);
 
-}  // namespace tyndall::translucency
+/// Light that comes from no light source: probes and the sky; where anything else provides some, also the frame.
+void append_surroundings_state(std::string& state, const Frame& frame, uint64_t frame_number);
+
+}  // namespace tyndall

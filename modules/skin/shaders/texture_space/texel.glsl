@@ -1,0 +1,24 @@
+// A texel of a light map and its place in the world.
+#include "skin/texture_space/atlas.glsl"
+#include "physics/standard_surface.glsl"
+#include "render/shaders/frame.glsl"
+
+layout(rgba32f) uniform image2D map;
+layout(rgba32f) readonly uniform image2D places;
+layout(rgba32f) readonly uniform image2D normals;
+layout(rgba32f) readonly uniform image2D finish;
+uniform mat4 world_from_local;
+uniform mat3 normal_from_local;
+
+struct Texel {
+    vec3 place;
+    vec3 normal;
+    ivec2 at;
+    float chart;
+};
+
+Texel texel_at(uint entry) {
+    vec4 place = imageLoad(places, list_texel(entry)), normal = imageLoad(normals, list_texel(entry));
+    return Texel((world_from_local * vec4(place.xyz, 1.0)).xyz, normalize(normal_from_local * normal.xyz),
+                 map_texel(place.w), normal.w);
+}
