@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "geometry/curvature.h"
 #include "skin_maps.h"
+#include "texture_space/usable_maps.h"
 
 namespace tyndall::skin {
 namespace {
@@ -44,16 +45,6 @@ std::shared_ptr<const MeshAsset> curved(const MeshAsset& from, float scale) {
     return made;
 }
 
-std::shared_ptr<const SurfaceDiffusion> diffusion_of(const SkinComponent& component) {
-    auto made = std::make_shared<SurfaceDiffusion>();
-    made->profile = adjusted(make_profile(component.profile), component);
-    made->pre_scatter = component.pre_scatter;
-    made->transmission = component.transmission;
-    made->detail_m = component.detail_mm * 1e-3f;
-    made->technique = technique_names()[static_cast<size_t>(component.technique)];
-    return made;
-}
-
 /// The scale of a transform, by volume; 0 for what is flat.
 float scale_of(const glm::mat4& transform) {
     return std::cbrt(std::abs(glm::determinant(glm::mat3(transform))));
@@ -83,11 +74,12 @@ class SkinExtractor {
             });
         Made& made = made_[{context.entity.index, context.entity.generation, which}];
         const bool changed = !made.material || made.component != component;
+        const std::string& name = surface.material->name;
         if (changed || made.material_id != surface.material->id)
             made.material = skin_material(*surface.material, component, context.assets, surface.interior.has_value());
         if (made.mesh_id != surface.mesh->id || std::abs(scale - made.scale) > 0.05f * made.scale)
             made.mesh = curved(*surface.mesh, made.scale = scale);
-        if (changed) made.diffusion = diffusion_of(component);
+        if (changed || made.mesh_id != surface.mesh->id) made.diffusion = diffusion_of(component, *surface.mesh, name);
         made.component = component;
         made.material_id = surface.material->id;
         made.mesh_id = surface.mesh->id;
@@ -96,7 +88,22 @@ class SkinExtractor {
         surface.diffusion = made.diffusion;
     }
 
+    std::shared_ptr<const SurfaceDiffusion> diffusion_of(const SkinComponent& component, const MeshAsset& mesh,
+                                                         const std::string& name) {
+        auto made = std::make_shared<SurfaceDiffusion>();
+        made->profile = adjusted(make_profile(component.profile), component);
+        made->pre_scatter = component.pre_scatter;
+        made->transmission = component.transmission;
+        made->detail_m = component.detail_mm * 1e-3f;
+        // a mesh whose UVs are no map is done on the screen
+        const bool in_map = component.technique == Technique::six_gaussians || component.technique == Technique::hable;
+        const Technique technique = in_map && !usable_.usable(mesh, name) ? Technique::separable : component.technique;
+        made->technique = technique_names()[static_cast<size_t>(technique)];
+        return made;
+    }
+
     std::map<Key, Made> made_;
+    UsableMaps usable_;
 };
 
 }  // namespace
