@@ -1,0 +1,54 @@
+"""The whole bust as a signed distance."""
+import numpy as np
+
+import bust
+import features
+from base import Base
+from common import boxed, smooth_max, smooth_min, step
+from ear import Ear
+from mri import Head
+
+LOW, HIGH = (-23, -25.6, -13), (23, 14, 14)
+
+
+class Shape:
+    def __init__(self, path):
+        self.mri = Head(path)
+        self.base = Base(self.mri)
+        self.ear = Ear()
+
+    def share(self, p):
+        """How much of the MRI holds: all above the cheeks, but for the ears and the nose."""
+        y = p[:, 1]
+        side = np.degrees(np.abs(np.arctan2(p[:, 0], p[:, 2])))
+        low = -0.75 + 0.55 * np.exp(-(p[:, 0] / 1.2) ** 2) * step(6, 8, p[:, 2]) + 1.9 * step(32, 45, side)
+        above = step(low, low + 0.9 + 0.8 * step(32, 45, side), y)
+        ear = step(56, 68, side) * step(142, 132, side) * step(4.2, 3.2, y)
+        return above * (1 - ear)
+
+    def head(self, p):
+        d = self.base(p)
+        front = step(6.5, 8.0, p[:, 2])
+        d = d - front * (features.lips(p) + features.fold(p)) * 0.9
+        floor = -10.75 + np.maximum(9.4 - p[:, 2], 0) * 0.34 - p[:, 1]
+        d = smooth_max(d, floor * 0.92, 1.3)
+        share = self.share(p)
+        some = share > 0
+        d[some] += share[some] * (self.mri(p[some]) - d[some])
+        eyes = np.flatnonzero(front * step(-1, -0.4, p[:, 1]) * step(2.4, 1.8, p[:, 1]) > 0)
+        d[eyes] -= features.lids(p[eyes])
+        return d
+
+    def __call__(self, p):
+        q = features.mirrored(p)
+        d = np.full(len(p), 9.0, np.float32)
+        near = np.flatnonzero((p[:, 1] > -13) & (np.abs(p[:, 0]) < 9.5))
+        d[near] = np.minimum(self.head(p[near]), 9)
+        below = np.flatnonzero(p[:, 1] < 3)
+        d[below] = smooth_min(d[below], bust.bust(q[below]), 1.6)
+        face = np.flatnonzero((q[:, 0] < 3) & (p[:, 2] > 8) & (np.abs(p[:, 1] + 2) < 4))
+        d[face] = features.nose(d[face], p[face])
+        side = np.flatnonzero((q[:, 0] > 5) & (np.abs(q[:, 0] - 8) < 4) & (np.abs(p[:, 1]) < 5) & (np.abs(p[:, 2] + 2) < 4.5))
+        ear, hollow = self.ear(q[side])
+        d[side] = smooth_min(smooth_max(d[side], -hollow, 0.2), ear, 0.32)
+        return d
