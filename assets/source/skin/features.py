@@ -28,10 +28,10 @@ def lips(p):
     middle, above, below = line_between(x), border_above(x), border_below(x)
     up, down = (y - middle) / np.maximum(above - middle, 0.05), (middle - y) / np.maximum(middle - below, 0.05)
     full = np.clip(1 - (x / 2.75) ** 2, 0, 1) ** 0.7
-    upper = curve(up, [0, 0.18, 0.45, 0.8, 1.0, 1.25, 2.0, 3.2], [0.0, 0.20, 0.33, 0.33, 0.27, 0.17, 0.06, 0.0])
-    lower = curve(down, [0, 0.15, 0.42, 0.75, 1.0, 1.3, 1.9], [0.0, 0.24, 0.42, 0.36, 0.2, 0.05, 0.0])
+    upper = curve(up, [0, 0.18, 0.45, 0.8, 1.0, 1.25, 2.0, 3.2], [0.13, 0.24, 0.33, 0.32, 0.265, 0.16, 0.05, 0.0])
+    lower = curve(down, [0, 0.15, 0.42, 0.75, 1.0, 1.3, 1.9], [0.15, 0.29, 0.42, 0.36, 0.2, 0.05, 0.0])
     rise = np.where(y > middle, upper, lower) * full
-    crease = 0.14 * np.exp(-np.abs(y - middle) / 0.07) * step(2.75, 2.3, x)
+    crease = 0.13 * np.exp(-((y - middle) / 0.075) ** 2) * step(2.75, 2.3, x)
     corner = 0.10 * np.exp(-(((x - 2.6) / 0.3) ** 2 + ((y + 6.36) / 0.22) ** 2)) - 0.06 * np.exp(-(((x - 3.2) / 0.45) ** 2 + ((y + 6.4) / 0.7) ** 2))
     groove = 0.085 * np.exp(-(x / 0.28) ** 2) * step(-5.65, -5.25, y) * step(-4.2, -4.6, y)
     ridges = 0.05 * np.exp(-((x - 0.58) / 0.2) ** 2) * step(-5.8, -5.4, y) * step(-4.2, -4.7, y)
@@ -51,9 +51,9 @@ def fold(p):
 def nose(d, p):
     """The nose onto the face d."""
     q = mirrored(p)
-    flank = chain(q, [(0.35, 0.3, 9.4), (0.5, -1.0, 9.75), (0.85, -2.9, 10.35)], [0.55, 0.62, 0.7], 0.3)
+    flank = chain(q, [(0.3, -0.5, 9.5), (0.5, -1.5, 9.75), (0.85, -2.9, 10.3)], [0.5, 0.6, 0.7], 0.3)
     bridge = chain(q, [(0, 1.2, 9.5), (0, -0.4, 9.92), (0, -1.8, 10.76), (0, -2.9, 11.45)], [0.64, 0.62, 0.64, 0.66], 0.3)
-    d = smooth_min(d, smooth_min(bridge, flank, 0.7), 0.9)
+    d = smooth_min(d, smooth_min(bridge, flank, 0.8), 1.1)
     tip = smooth_min(bridge, ellipsoid(q, (0, -3.28, 11.66), (0.86, 0.68, 0.8)), 0.5)
     n = smooth_min(tip, capsule(q, (0, -3.75, 11.7), (0, -4.3, 10.4), 0.33, 0.34), 0.3)              # between the nostrils
     n = smooth_min(n, ellipsoid(q, (1.14, -3.56, 10.72), (0.56, 0.58, 0.92)), 0.42)                  # wing
@@ -79,6 +79,6 @@ def lids(p):
     x, y = np.abs(p[:, 0]), p[:, 1]
     side = y - lash_line(x)
     ends = step(1.3, 1.7, x) * step(5.25, 4.9, x)
-    meet = 0.035 * step(-0.02, 0.05, side) * step(0.5, 0.1, side) - 0.05 * np.exp(-(side / 0.05) ** 2)
+    meet = 0.03 * step(-0.04, 0.06, side) * step(0.5, 0.1, side) - 0.045 * np.exp(-((side + 0.01) / 0.06) ** 2)
     above = -0.025 * np.exp(-((y - lid_fold(x)) / 0.1) ** 2) * step(1.6, 2.2, x) * step(5.2, 4.6, x)
     return meet * ends + above
