@@ -7,19 +7,20 @@ from common import step
 from noise import cells, octaves, scattered
 
 # Reflectance without pigment, and what a unit of blood and of melanin absorbs (log), red, green, blue.
-PALE = np.array([0.745, 0.575, 0.465], np.float32)
+PALE = np.array([0.77, 0.61, 0.50], np.float32)
 BLOOD = np.array([0.10, 0.62, 0.55], np.float32)
 MELANIN = np.array([0.34, 0.62, 0.95], np.float32)
-HAIR = np.array([0.030, 0.020, 0.014], np.float32)
+SHORN = np.array([0.125, 0.098, 0.085], np.float32)   # hair of a millimetre over the scalp
+HAIR = np.array([0.042, 0.029, 0.021], np.float32)
 
 
 def blood(q, r, n, lips):
     b = 0.34 + 0.10 * octaves(q, 5.0, 3, 80) + 0.05 * octaves(q, 0.7, 3, 83)
-    b = b + 0.26 * r.cheeks() * (0.8 + 0.45 * octaves(q, 1.6, 3, 86)) + 0.24 * r.nose_tip() + 0.12 * r.nose() + 0.34 * r.ears() + 0.10 * r.chin() + 0.18 * r.lids() + 0.12 * r.sockets()
+    b = b + 0.26 * r.cheeks() * (0.8 + 0.45 * octaves(q, 1.6, 3, 86)) + 0.24 * r.nose_tip() + 0.12 * r.nose() + 0.34 * r.ears() + 0.10 * r.chin() + 0.07 * r.lids() + 0.12 * r.sockets()
     wing = np.exp(-(((r.x - 1.75) / 0.45) ** 2 + ((r.y + 3.7) / 0.6) ** 2)) * step(8.5, 9.5, r.z)
     vein = np.maximum(1 - np.abs(octaves(q, 0.5, 3, 89)) * 5, 0)
     b = b + 0.3 * wing + 0.14 * vein * (r.cheeks() + r.nose_tip() + 0.4 * r.ears()).clip(0, 1) * (octaves(q, 1.2, 2, 92) > 0.2)
-    b = b - 0.08 * r.forehead() - 0.08 * r.beard()
+    b = b - 0.08 * r.forehead() - 0.08 * r.beard() - 0.1 * step(-12, -17, r.y)
     return b.clip(0.08, 2) * (1 - lips) + lips * (1.02 + 0.12 * octaves(q, 0.5, 3, 93))
 
 
@@ -36,7 +37,7 @@ def melanin(random, q, r, corners, fq, p, lips):
     far, which = cells(moles, q, 1)
     near = cells(p[[np.linalg.norm(q - mole, axis=1).argmin() for mole in moles]], p, 1)
     mole = 0.75 * step(1.25, 0.8, near[0] / radius[near[1]] + 0.12 * octaves(q, 0.1, 1, 108))
-    return (m + spot + mole).clip(0.05, 3) + 0.10 * lips
+    return (m + spot + mole).clip(0.05, 3) + 0.24 * lips
 
 
 def reflectance(random, q, p, n, r, pore, line, open_, faces_at):
@@ -48,11 +49,14 @@ def reflectance(random, q, p, n, r, pore, line, open_, faces_at):
     albedo = PALE * np.exp(-total[:, None] * BLOOD - pigment[:, None] * MELANIN)
     albedo *= np.array([1.0, 1.0 - 0.03, 1.0 - 0.05]) ** r.forehead()[:, None]
     # the shadow of a beard: hairs seen through the skin
-    speck = octaves(q, 0.06, 2, 110)
-    beard = r.beard() * (1 - lips) * (0.20 + 0.10 * speck.clip(-1, 2))
+    beard = r.beard() * (1 - lips)
+    roots = scattered(random, corners, 190 * (fq[:, 2] > -1) * (fq[:, 1] < 0) * (fq[:, 1] > -14))
+    d, index = cells(roots, p, 1)
+    dot = random.uniform(0.2, 0.8, len(roots))[index] * np.exp(-((d / 0.014) ** 2))
+    beard = beard * (0.13 + 0.04 * octaves(q, 0.4, 3, 110) + 0.5 * dot)
     albedo = albedo * (1 - beard[:, None] * np.array([0.72, 0.60, 0.46], np.float32))
-    hair = r.hair() * (0.50 + 0.20 * octaves(q, 0.05, 1, 112).clip(-1.5, 1.5) + 0.08 * octaves(q, 2.0, 2, 114))
-    albedo = albedo + hair.clip(0, 0.9)[:, None] * (HAIR * 2.2 - albedo)
+    hair = r.hair() * (0.52 + 0.07 * octaves(q, 0.12, 2, 112).clip(-1.5, 1.5) + 0.05 * octaves(q, 2.0, 3, 114))
+    albedo = albedo + hair.clip(0, 0.9)[:, None] * (SHORN - albedo)
     # single hairs
     cover = np.zeros(len(q), np.float32)
     for side in (-1, 1):
@@ -74,7 +78,7 @@ def reflectance(random, q, p, n, r, pore, line, open_, faces_at):
 def roughness(q, r, pore, line, cover):
     lips, _ = r.lips()
     oily = np.maximum.reduce([r.nose(), 0.8 * r.forehead() * np.exp(-((r.x / 4) ** 2)), 0.6 * r.chin(), 0.5 * r.lids()])
-    rough = 0.50 - 0.14 * oily + 0.03 * r.cheeks() - 0.03 * r.ears() + 0.035 * octaves(q, 1.2, 3, 120) + 0.03 * octaves(q, 0.12, 2, 124) + 0.05 * line + 0.06 * pore
+    rough = 0.53 - 0.14 * oily + 0.03 * r.cheeks() - 0.03 * r.ears() + 0.035 * octaves(q, 1.2, 3, 120) + 0.03 * octaves(q, 0.12, 2, 124) + 0.05 * line + 0.06 * pore
     rough = rough + lips * (0.35 - rough + 0.05 * octaves(q, 0.2, 2, 126))
     return (rough + cover * (0.5 - rough)).clip(0.28, 0.65)
 

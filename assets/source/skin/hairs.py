@@ -25,16 +25,16 @@ def strokes(place, lines, widths):
             t = np.clip((p - line[i]) @ edge / max(edge @ edge, 1e-9), 0, 1)
             d = np.hypot(*(p - line[i] - t[:, None] * edge).T)
             along = (i + t) / (len(line) - 1)
-            best = np.maximum(best, np.exp(-((d / (width * (1.05 - 0.75 * along))) ** 2)))
+            best = np.maximum(best, np.exp(-((d / (np.maximum(width * (1.05 - 0.7 * along), 0.0075))) ** 2)))
         cover[near] = 1 - (1 - cover[near]) * (1 - 0.75 * best)
     return cover
 
 
-def brow_lines(random, count=430):
+def brow_lines(random, count=620):
     """Hairs of the right brow: upwards near the nose, outwards beyond, a little down at the end."""
-    x = 0.95 + 4.5 * random.beta(1.15, 1.25, count)
+    x = 0.95 + 4.5 * random.beta(1.05, 1.05, count)
     middle = curve(x, [0.9, 1.6, 2.6, 3.8, 4.8, 5.6], [2.30, 2.48, 2.78, 3.02, 2.88, 2.45])
-    half = curve(x, [0.8, 1.2, 2.0, 3.4, 4.6, 5.6], [0.16, 0.36, 0.40, 0.32, 0.2, 0.06])
+    half = curve(x, [0.8, 1.2, 2.0, 3.4, 4.6, 5.6], [0.16, 0.38, 0.44, 0.38, 0.27, 0.10])
     v = np.clip(random.normal(0, 0.5, count), -1.05, 1.05)
     y = middle + half * v
     lean = curve(x, [0.9, 1.5, 2.4, 3.6, 4.6, 5.6], [80, 62, 38, 14, -12, -32]) - 22 * v + random.normal(0, 9, count)

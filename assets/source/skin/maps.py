@@ -4,12 +4,11 @@ from scipy import ndimage
 
 import colour
 import relief
+from features import mirrored
 from noise import octaves
 from regions import Regions
 from shape import uneven
 from texels import Chart, tangents
-
-SIZE = 2048
 
 
 def gradient(shape, p, step=0.02):
@@ -32,11 +31,11 @@ def openness(shape, p, n):
     return total
 
 
-def made(shape, points, normals, uv, faces, source, log=print):
+def made(shape, points, normals, uv, faces, source, size=2048, log=print):
     """Pictures: colour (linear), roughness, specular, normal."""
     random = np.random.default_rng(7)
     p3, n3 = points[source], normals[source]
-    chart = Chart(uv, faces, SIZE)
+    chart = Chart(uv, faces, size)
     p, mesh_n = chart.field(p3), chart.field(n3)
     mesh_n /= np.linalg.norm(mesh_n, axis=1, keepdims=True)
     log(f"texels {len(p)}")
@@ -49,7 +48,8 @@ def made(shape, points, normals, uv, faces, source, log=print):
     open_[near] = openness(shape, p[near], n[near])
     log("normals of the shape")
     q = uneven(p.astype(np.float32))
-    r = Regions(q, n, octaves(q, 0.5, 3, 30))
+    to_ear = np.minimum(*shape.ear(mirrored(q)))
+    r = Regions(q, n, octaves(q, 0.5, 3, 30), to_ear)
     corners = p3[faces]
     fq = uneven(corners.mean(1).astype(np.float32))
     faces_at = (corners, fq, n3[faces].mean(1), np.zeros(len(faces)))
@@ -65,8 +65,7 @@ def made(shape, points, normals, uv, faces, source, log=print):
     normal = np.stack([(fine * t).sum(1), (fine * b).sum(1), np.maximum((fine * mesh_n).sum(1), 0.1)], -1)
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     albedo, cover = colour.reflectance(random, q, p, n, r, pore, line, open_, faces_at)
-    log("colour")
+    log(f"colour: mean albedo {albedo.mean(0).round(3)}, relief {h.min() * 10:.2f} mm at most")
     rough = colour.roughness(q, r, pore, line, cover)
     gloss = colour.specular(q, r, pore, line, h, open_, cover)
-    return {name: chart.picture(np.asarray(v, np.float32)) for name, v in dict(colour=albedo, roughness=rough, specular=gloss, normal=normal * 0.5 + 0.5).items()}, dict(
-        height=(float(h.min()), float(h.std())), albedo=albedo.mean(0).round(3).tolist())
+    return {name: chart.picture(np.asarray(v, np.float32)) for name, v in dict(colour=albedo, roughness=rough, specular=gloss, normal=normal * 0.5 + 0.5).items()}

@@ -10,11 +10,11 @@ def bump(v, centre, size):
 
 
 class Regions:
-    """At points q (those of shape.uneven) with the outward normals n; wobble is noise that frays the borders."""
+    """At points q (those of shape.uneven) with the outward normals n; wobble is noise that frays the borders, to_ear the distance to the ears."""
 
-    def __init__(self, q, n, wobble):
+    def __init__(self, q, n, wobble, to_ear):
         self.x, self.y, self.z = np.abs(q[:, 0]), q[:, 1], q[:, 2]
-        self.side, self.n, self.wobble = q[:, 0], n, wobble
+        self.side, self.n, self.wobble, self.to_ear = q[:, 0], n, wobble, to_ear
         self.front = step(6.0, 8.0, self.z)
 
     def lips(self):
@@ -22,7 +22,7 @@ class Regions:
         y = self.y + 0.025 * self.wobble
         above, below, middle = features.border_above(self.x), features.border_below(self.x), features.line_between(self.x)
         inner = np.minimum(above - y, y - below)
-        return step(-0.05, 0.09, inner) * step(2.72, 2.5, self.x) * self.front, (y - middle) / np.maximum(np.where(y > middle, above - middle, middle - below), 0.05)
+        return step(-0.10, 0.12, inner) * step(2.75, 2.55, self.x) * self.front, (y - middle) / np.maximum(np.where(y > middle, above - middle, middle - below), 0.05)
 
     def nose(self):
         return np.exp(-((self.x / 1.7) ** 4)) * step(-4.7, -4.0, self.y) * step(0.8, -1.2, self.y) * step(9.3, 10.2, self.z)
@@ -46,7 +46,7 @@ class Regions:
         return np.exp(-(((self.x - 3.0) / 2.3) ** 2 + ((self.y + 0.1) / 1.2) ** 2)) * self.front
 
     def ears(self):
-        return step(6.9, 7.4, self.x) * step(-4.3, -3.3, self.y) * step(3.4, 2.7, self.y) * step(0.2, -0.8, self.z) * step(-6.5, -5, self.z)
+        return step(0.35, 0.05, self.to_ear)
 
     def beard(self):
         """Where a beard would grow."""
@@ -56,14 +56,14 @@ class Regions:
 
     def hair(self):
         """Where the hair of the head is cut short."""
-        hairline = curve(self.y, [-3, -1.5, 0.5, 2.5, 4.5, 6.0, 7.4, 8.6], [0.0, 0.6, 1.2, 2.9, 4.8, 5.2, 7.9, 12.0])
+        hairline = curve(self.y, [-3, -1.5, 0.5, 2.5, 4.5, 6.0, 7.4, 8.6], [-1.6, -0.6, 0.2, 2.2, 4.0, 4.6, 6.4, 10.5])
         temple = 0.9 * np.exp(-(((self.x - 4.0) / 1.5) ** 2)) * step(6.0, 7.5, self.y)
         ahead = hairline - temple - self.z
         nape = self.y - curve(-self.z, [-2, 1.5, 4.5, 6.0, 9.0], [-1.8, -1.8, -4.6, -6.2, -6.6])
-        return step(-0.55, 0.55, np.minimum(ahead, nape) + 0.28 * self.wobble) * (1 - self.ears())
+        return step(-0.9, 1.5, np.minimum(ahead, nape) + 0.3 * self.wobble) * (1 - self.ears())
 
     def brow(self):
         """Distance above the eyebrow's middle line, and its half width there."""
         middle = curve(self.x, [0.9, 1.6, 2.6, 3.8, 4.8, 5.6], [2.30, 2.48, 2.78, 3.02, 2.88, 2.45])
-        half = curve(self.x, [0.8, 1.2, 2.0, 3.4, 4.6, 5.6], [0.16, 0.36, 0.40, 0.32, 0.2, 0.06])
+        half = curve(self.x, [0.8, 1.2, 2.0, 3.4, 4.6, 5.6], [0.16, 0.38, 0.44, 0.38, 0.27, 0.10])
         return self.y - middle, half

@@ -8,7 +8,7 @@ from noise import Noise, cells, octaves, scattered, thinned
 
 def pores(random, corners, q, n, wobble, regions):
     """Scattered pores: their places, radii and depths (cm). q, n, wobble at the faces' centres."""
-    r = regions(q, n, wobble)
+    r = regions(q, n, wobble, np.full(len(q), 9.0))
     lips, _ = r.lips()
     bare = (1 - lips) * (1 - 0.8 * r.lids()) * (1 - r.hair()) * step(-16, -11, q[:, 1])
     chance = (60 + 160 * r.nose() + 130 * r.cheeks() + 70 * r.chin() + 40 * r.forehead() * bare) * bare * step(1.0, 5.0, q[:, 2])
@@ -47,7 +47,7 @@ def wrinkles(q, r, p):
     lips, t = r.lips()
     spread = q[:, 0] * (1 + 0.12 * np.abs(t)) + 0.05 * octaves(q, 0.6, 2, 46)
     line = octaves(np.stack([spread, 0.12 * q[:, 1], 0.1 * q[:, 2]], -1), 0.16, 3, 47)
-    h -= 0.0065 * lips * np.maximum(line, -0.3) * step(1.0, 0.75, np.abs(t))
+    h -= 0.005 * lips * np.maximum(line, -0.3) * step(1.0, 0.75, np.abs(t))
     # the throat
     neck = step(-11.5, -13, y) * step(-0.5, 2, z)
     ring = np.exp(-((np.mod(y + 0.06 * x * x * 0.4 + 0.2 * octaves(q, 4, 2, 48), 2.6) - 1.3) / 0.06) ** 2)

@@ -8,7 +8,7 @@ from common import boxed, smooth_max, smooth_min, step
 from ear import Ear
 from mri import Head
 
-LOW, HIGH = (-23, -25.6, -13), (23, 14, 14)
+LOW, HIGH = (-24, -32, -13), (24, 14, 14)
 
 
 def uneven(p):
@@ -47,6 +47,10 @@ class Shape:
         d[eyes] -= features.lids(p[eyes])
         return d
 
+    def groove(self, p):
+        """Small in the folds between ears and head."""
+        return 2 * (np.abs(self.ear(features.mirrored(p.astype(np.float32)))[0]) + np.abs(self.head(p.astype(np.float32))))
+
     def __call__(self, p):
         p = uneven(p)
         q = features.mirrored(p)
@@ -55,7 +59,7 @@ class Shape:
         d[near] = np.minimum(self.head(p[near]), 9)
         below = np.flatnonzero(p[:, 1] < 3)
         d[below] = smooth_min(d[below], bust.bust(q[below]), 1.6)
-        face = np.flatnonzero((q[:, 0] < 3) & (p[:, 2] > 8) & (np.abs(p[:, 1] + 2) < 4))
+        face = np.flatnonzero((q[:, 0] < 3) & (p[:, 2] > 8) & (np.abs(p[:, 1] + 1.5) < 4.5))
         d[face] = features.nose(d[face], p[face])
         side = np.flatnonzero((q[:, 0] > 5) & (np.abs(q[:, 0] - 8) < 4) & (np.abs(p[:, 1]) < 5) & (np.abs(p[:, 2] + 2) < 4.5))
         ear, hollow = self.ear(q[side])

@@ -35,7 +35,7 @@ def nearest(points, place, allowed):
     return int(np.where(allowed, d, np.inf).argmin())
 
 
-def ways(points, faces, groove):
+def ways(points, faces, bottom, groove):
     """The paths of the seam. groove(p) is small in the folds behind the ears."""
     here = np.zeros(len(points), bool)
     here[faces] = True
@@ -44,7 +44,7 @@ def ways(points, faces, groove):
     low = np.zeros(len(points), bool)
     low[ring] = True
     top = nearest(points, (0, 9.5, -6.2), here)
-    end = nearest(points, (0, -25, -11), low)
+    end = nearest(points, (0, bottom, -11), low)
     back = paths.between(top, end, lambda p: 1 + 30 * np.abs(p[:, 0]) + 100 * (p[:, 2] > 0))
     result = [back]
     on_back = np.zeros(len(points), bool)
@@ -70,7 +70,7 @@ def share(p):
     q = np.abs(p[:, 0])
     face = step(0.5, 5.5, p[:, 2]) * step(-14, -10.5, p[:, 1]) * step(9.5, 4.5, p[:, 1])
     ear = step(6.0, 7.0, q) * step(-5.5, -3.5, p[:, 1]) * step(5, 2.8, p[:, 1]) * step(-7, -4.5, p[:, 2])
-    body = 0.28 - 0.12 * step(-13, -19, p[:, 1])
+    body = 0.34 - 0.20 * step(-12, -19, p[:, 1])
     return np.maximum.reduce([body, face, 0.75 * ear])
 
 
@@ -80,7 +80,7 @@ def unwrapped(points, faces, bottom, groove, log=print):
     body = faces[~cap]
     used, index = np.unique(body, return_inverse=True)
     body = index.reshape(-1, 3)
-    split, source = seams.cut(body, ways(points[used], body, groove))
+    split, source = seams.cut(body, ways(points[used], body, bottom, groove))
     p = points[used][source]
     flat = flattened(p, split, share(p[split].mean(1)), log=log)
     # upright: the brow above the chin
