@@ -2,7 +2,7 @@
 import numpy as np
 from common import capsule, chain, ellipsoid, smooth_max, smooth_min
 
-BOTTOM = -31.0
+BOTTOM = -28.5
 
 
 def neck(q):
@@ -24,5 +24,7 @@ def shoulders(q):
 
 
 def bust(q):
+    q = q.copy()
+    q[:, 0] = np.sqrt(q[:, 0] ** 2 + 0.7)  # without a crease down the middle
     d = smooth_min(neck(q), shoulders(q), 2.4)
     return smooth_max(d, BOTTOM - q[:, 1], 0.5)

@@ -10,13 +10,14 @@ from noise import cells, octaves, scattered
 PALE = np.array([0.77, 0.61, 0.50], np.float32)
 BLOOD = np.array([0.10, 0.62, 0.55], np.float32)
 MELANIN = np.array([0.34, 0.62, 0.95], np.float32)
-SHORN = np.array([0.125, 0.098, 0.085], np.float32)   # hair of a millimetre over the scalp
+SHORN = np.array([0.098, 0.078, 0.067], np.float32)   # hair of a millimetre over the scalp
 HAIR = np.array([0.042, 0.029, 0.021], np.float32)
 
 
 def blood(q, r, n, lips):
-    b = 0.34 + 0.10 * octaves(q, 5.0, 3, 80) + 0.05 * octaves(q, 0.7, 3, 83)
-    b = b + 0.26 * r.cheeks() * (0.8 + 0.45 * octaves(q, 1.6, 3, 86)) + 0.24 * r.nose_tip() + 0.12 * r.nose() + 0.34 * r.ears() + 0.10 * r.chin() + 0.07 * r.lids() + 0.12 * r.sockets()
+    b = 0.34 + 0.09 * octaves(q, 5.0, 3, 80) * (1 - 0.5 * step(-12, -16, r.y)) + 0.05 * octaves(q, 0.7, 3, 83)
+    b = b + 0.26 * r.cheeks() * (0.8 + 0.45 * octaves(q, 1.6, 3, 86)) + 0.24 * r.nose_tip() + 0.12 * r.nose() + 0.34 * r.ears()
+    b = b + 0.10 * r.chin() + 0.07 * r.lids() + 0.12 * r.sockets()
     wing = np.exp(-(((r.x - 1.75) / 0.45) ** 2 + ((r.y + 3.7) / 0.6) ** 2)) * step(8.5, 9.5, r.z)
     vein = np.maximum(1 - np.abs(octaves(q, 0.5, 3, 89)) * 5, 0)
     b = b + 0.3 * wing + 0.14 * vein * (r.cheeks() + r.nose_tip() + 0.4 * r.ears()).clip(0, 1) * (octaves(q, 1.2, 2, 92) > 0.2)
@@ -55,7 +56,7 @@ def reflectance(random, q, p, n, r, pore, line, open_, faces_at):
     dot = random.uniform(0.2, 0.8, len(roots))[index] * np.exp(-((d / 0.014) ** 2))
     beard = beard * (0.13 + 0.04 * octaves(q, 0.4, 3, 110) + 0.5 * dot)
     albedo = albedo * (1 - beard[:, None] * np.array([0.72, 0.60, 0.46], np.float32))
-    hair = r.hair() * (0.52 + 0.07 * octaves(q, 0.12, 2, 112).clip(-1.5, 1.5) + 0.05 * octaves(q, 2.0, 3, 114))
+    hair = r.hair() * (0.56 + 0.06 * octaves(q, 0.12, 2, 112).clip(-1.5, 1.5) + 0.05 * octaves(q, 2.0, 3, 114))
     albedo = albedo + hair.clip(0, 0.9)[:, None] * (SHORN - albedo)
     # single hairs
     cover = np.zeros(len(q), np.float32)
@@ -68,6 +69,7 @@ def reflectance(random, q, p, n, r, pore, line, open_, faces_at):
     soft = 0.30 * np.exp(-((above / (half + 0.02)) ** 2)) * step(0.8, 1.5, r.x) * step(5.7, 4.8, r.x) * r.front.clip(0.2, 1) * (r.z > 4)
     root = 0.75 * np.exp(-(((r.y - features.lash_line(r.x)) / 0.045) ** 2)) * step(1.5, 1.9, r.x) * step(5.2, 4.9, r.x) * r.front
     cover = 1 - (1 - cover) * (1 - soft) * (1 - root)
+    albedo = albedo * (1 + lips[:, None] * np.array([-0.13, -0.04, 0.13], np.float32))
     # wet red line where the lips meet, darker
     seam = lips * np.exp(-((t / 0.10) ** 2))
     albedo = albedo * (1 - 0.35 * seam[:, None])
@@ -79,6 +81,7 @@ def roughness(q, r, pore, line, cover):
     lips, _ = r.lips()
     oily = np.maximum.reduce([r.nose(), 0.8 * r.forehead() * np.exp(-((r.x / 4) ** 2)), 0.6 * r.chin(), 0.5 * r.lids()])
     rough = 0.53 - 0.14 * oily + 0.03 * r.cheeks() - 0.03 * r.ears() + 0.035 * octaves(q, 1.2, 3, 120) + 0.03 * octaves(q, 0.12, 2, 124) + 0.05 * line + 0.06 * pore
+    rough = rough + r.hair() * (0.64 - rough)
     rough = rough + lips * (0.35 - rough + 0.05 * octaves(q, 0.2, 2, 126))
     return (rough + cover * (0.5 - rough)).clip(0.28, 0.65)
 
@@ -86,4 +89,4 @@ def roughness(q, r, pore, line, cover):
 def specular(q, r, pore, line, height_low, open_, cover):
     """How much the surface reflects, 1 where nothing hides it: pores, lines and folds are dark."""
     s = (1 - 0.55 * pore - 0.30 * line) * (0.35 + 0.65 * open_) * (0.92 + 0.05 * octaves(q, 0.8, 3, 130))
-    return (s * (1 - 0.35 * cover)).clip(0, 1)
+    return (s * (1 - 0.5 * cover) * (1 - 0.4 * r.hair())).clip(0, 1)

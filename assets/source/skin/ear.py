@@ -60,7 +60,7 @@ def relief(uv):
     crus = along(uv, [(0.5, 0.3), (1.0, 0.2), (1.4, 0.22)])
     h = 0.22 * np.exp(-(fold / 0.25) ** 2) + 0.12 * np.exp(-(fork / 0.2) ** 2) - 0.75 * step(1.08, 0.5, bowl) - 0.4 * step(1.1, 0.4, upper) * step(0.7, 1.1, bowl)
     h += 0.28 * np.exp(-(crus / 0.2) ** 2) + 0.14 * step(0.45, 0.05, rim) * step(-2.3, -1.2, v) + 0.12 * (u - 1.5) * step(-1, -2.5, v)
-    return h, 0.25 + 0.13 * step(-1.6, -2.6, v) + 0.12 * step(0.8, 0.2, u) + 0.12 * step(1.0, 0.6, bowl), rim
+    return h, 0.22 + 0.13 * step(-1.6, -2.6, v) + 0.12 * step(0.8, 0.2, u) + 0.12 * step(1.0, 0.6, bowl), rim
 
 
 def rolled(e):

@@ -27,12 +27,12 @@ def lips(p):
     x, y = np.abs(p[:, 0]), p[:, 1]
     middle, above, below = line_between(x), border_above(x), border_below(x)
     up, down = (y - middle) / np.maximum(above - middle, 0.05), (middle - y) / np.maximum(middle - below, 0.05)
-    full = np.clip(1 - (x / 2.75) ** 2, 0, 1) ** 0.7
+    full = np.clip(1 - (x / 2.75) ** 2, 0, 1) ** 0.85
     upper = curve(up, [0, 0.18, 0.45, 0.8, 1.0, 1.25, 2.0, 3.2], [0.13, 0.24, 0.33, 0.32, 0.265, 0.16, 0.05, 0.0])
     lower = curve(down, [0, 0.15, 0.42, 0.75, 1.0, 1.3, 1.9], [0.15, 0.29, 0.42, 0.36, 0.2, 0.05, 0.0])
     rise = np.where(y > middle, upper, lower) * full
-    crease = 0.105 * np.exp(-((y - middle) / 0.07) ** 2) * step(2.7, 2.0, x)
-    corner = 0.10 * np.exp(-(((x - 2.6) / 0.3) ** 2 + ((y + 6.36) / 0.22) ** 2)) - 0.06 * np.exp(-(((x - 3.2) / 0.45) ** 2 + ((y + 6.4) / 0.7) ** 2))
+    crease = 0.10 * np.exp(-((y - middle) / 0.085) ** 2) * step(2.65, 1.5, x)
+    corner = 0.09 * np.exp(-(((x - 2.62) / 0.3) ** 2 + ((y + 6.36) / 0.3) ** 2)) - 0.06 * np.exp(-(((x - 3.2) / 0.45) ** 2 + ((y + 6.4) / 0.7) ** 2))
     groove = 0.085 * np.exp(-(x / 0.28) ** 2) * step(-5.65, -5.25, y) * step(-4.2, -4.6, y)
     ridges = 0.05 * np.exp(-((x - 0.58) / 0.2) ** 2) * step(-5.8, -5.4, y) * step(-4.2, -4.7, y)
     return rise - crease - corner - groove + ridges
@@ -61,7 +61,8 @@ def nose(d, p):
     crease = chain(q, [(1.52, -2.75, 11.0), (1.70, -3.1, 10.55), (1.82, -3.6, 10.15), (1.78, -4.0, 10.05), (1.66, -4.3, 10.3)], [0.03, 0.07, 0.09, 0.07, 0.03], 0.05)
     d = smooth_max(d, -crease, 0.3)
     lean = np.clip(q[:, 2:3] - 10.9, -1, 1) * np.array([-0.3, 0.1, 0], np.float32)
-    hole = ellipsoid(q - lean.astype(np.float32), (0.7, -4.26, 10.9), (0.3, 0.56, 0.6))
+    hole = ellipsoid(q - lean.astype(np.float32), (0.74, -4.26, 10.88), (0.33, 0.6, 0.62))
+    hole = smooth_min(hole, ellipsoid(q, (1.02, -3.78, 10.72), (0.36, 0.42, 0.62)), 0.12)            # the wing is thin
     return smooth_max(d, -hole, 0.16)
 
 

@@ -50,8 +50,8 @@ def wrinkles(q, r, p):
     h -= 0.005 * lips * np.maximum(line, -0.3) * step(1.0, 0.75, np.abs(t))
     # the throat
     neck = step(-11.5, -13, y) * step(-0.5, 2, z)
-    ring = np.exp(-((np.mod(y + 0.06 * x * x * 0.4 + 0.2 * octaves(q, 4, 2, 48), 2.6) - 1.3) / 0.06) ** 2)
-    h -= 0.012 * neck * ring * step(-17, -15, y)
+    ring = np.exp(-((np.mod(y + 0.06 * x * x * 0.4 + 0.2 * octaves(q, 4, 2, 48), 2.6) - 1.3) / 0.12) ** 2)
+    h -= 0.006 * neck * ring * step(-17, -15, y)
     return h
 
 
@@ -61,7 +61,7 @@ def height(random, chart_points, q, r, faces_at, regions):
     lips, _ = r.lips()
     fine = cells(network(random, corners, fq), chart_points)[0]
     line = np.exp(-(((fine[:, 1] - fine[:, 0]) / 0.016) ** 2))
-    strength = 0.0028 * (1 + 0.5 * octaves(q, 1.5, 2, 60)).clip(0.3, 2) * (1 - lips) * (1 - 0.5 * r.nose()) * (1 + 0.6 * r.lids())
+    strength = 0.0028 * (1 + 0.5 * octaves(q, 1.5, 2, 60)).clip(0.3, 2) * (1 - lips) * (1 - 0.5 * r.nose()) * (1 + 0.6 * r.lids()) * (1 - 0.7 * r.hair())
     h = -strength * line
     places = pores(random, corners, fq, fn, fw, regions)
     size, depth = random.uniform(0.010, 0.022, len(places)), random.uniform(0.25, 1.0, len(places)) ** 2
@@ -70,6 +70,6 @@ def height(random, chart_points, q, r, faces_at, regions):
     h = h - (0.004 + 0.004 * r.nose() + 0.002 * r.cheeks()) * pore
     h = h + 0.0035 * octaves(q, 0.35, 3, 61) * (1 - 0.6 * r.lids()) * (1 - lips) + 0.006 * octaves(q, 1.3, 2, 64) * step(-12, -10, r.y)
     # hair cut short: rough
-    h = h + r.hair() * 0.004 * octaves(q, 0.09, 2, 66)
+    h = h + r.hair() * 0.0012 * octaves(q, 0.12, 2, 66)
     h = h + wrinkles(q, r, q)
     return h.astype(np.float32), pore.astype(np.float32), line.astype(np.float32)

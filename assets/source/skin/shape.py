@@ -8,7 +8,7 @@ from common import boxed, smooth_max, smooth_min, step
 from ear import Ear
 from mri import Head
 
-LOW, HIGH = (-24, -32, -13), (24, 14, 14)
+LOW, HIGH = (-24, -29.5, -13), (24, 14, 14)
 
 
 def uneven(p):

@@ -70,7 +70,7 @@ def share(p):
     q = np.abs(p[:, 0])
     face = step(0.5, 5.5, p[:, 2]) * step(-14, -10.5, p[:, 1]) * step(9.5, 4.5, p[:, 1])
     ear = step(6.0, 7.0, q) * step(-5.5, -3.5, p[:, 1]) * step(5, 2.8, p[:, 1]) * step(-7, -4.5, p[:, 2])
-    body = 0.34 - 0.20 * step(-12, -19, p[:, 1])
+    body = 0.34 - 0.14 * step(-12, -19, p[:, 1])
     return np.maximum.reduce([body, face, 0.75 * ear])
 
 
