@@ -56,7 +56,10 @@ def reflectance(random, q, p, n, r, pore, line, open_, faces_at):
     dot = random.uniform(0.2, 0.8, len(roots))[index] * np.exp(-((d / 0.014) ** 2))
     beard = beard * (0.13 + 0.04 * octaves(q, 0.4, 3, 110) + 0.5 * dot)
     albedo = albedo * (1 - beard[:, None] * np.array([0.72, 0.60, 0.46], np.float32))
-    hair = r.hair() * (0.56 + 0.06 * octaves(q, 0.12, 2, 112).clip(-1.5, 1.5) + 0.05 * octaves(q, 2.0, 3, 114))
+    roots = scattered(random, corners, 130 * (fq[:, 1] > -7) * (fq[:, 1] > 5.0 - 1.2 * (5.5 - fq[:, 2])))
+    d, index = cells(roots, p, 1)
+    there = step(-0.12, 0.12, r.hair() - random.uniform(0, 1, len(roots))[index]) * random.uniform(0.4, 1, len(roots))[index]
+    hair = r.hair() ** 1.5 * (0.40 + 0.04 * octaves(q, 2.0, 3, 114)) + 0.45 * there * np.exp(-((d / 0.026) ** 2))
     albedo = albedo + hair.clip(0, 0.9)[:, None] * (SHORN - albedo)
     # single hairs
     cover = np.zeros(len(q), np.float32)

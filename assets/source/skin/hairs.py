@@ -30,7 +30,7 @@ def strokes(place, lines, widths):
     return cover
 
 
-def brow_lines(random, count=620):
+def brow_lines(random, count=520):
     """Hairs of the right brow: upwards near the nose, outwards beyond, a little down at the end."""
     x = 0.95 + 4.5 * random.beta(1.05, 1.05, count)
     middle = curve(x, [0.9, 1.6, 2.6, 3.8, 4.8, 5.6], [2.30, 2.48, 2.78, 3.02, 2.88, 2.45])

@@ -7,7 +7,7 @@ from scipy import ndimage
 
 from common import step
 
-SCALE = np.array([0.087, 0.084, 0.092])  # cm to a voxel of 1 mm: the template stands in a space that is larger than life
+SCALE = np.array([0.087, 0.082, 0.092])  # cm to a voxel of 1 mm: the template stands in a space that is larger than life
 ORIGIN = np.array([90.0, 24.0, 98.0])    # the voxel at the head's origin: between the ear canals
 AIR = 30                                 # gray between air and skin
 

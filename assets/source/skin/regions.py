@@ -56,11 +56,11 @@ class Regions:
 
     def hair(self):
         """Where the hair of the head is cut short."""
-        hairline = curve(self.y, [-3, -1.5, 0.5, 2.5, 4.5, 6.0, 7.4, 8.6], [-1.6, -0.6, 0.2, 2.2, 4.0, 4.4, 5.6, 9.4])
+        hairline = curve(self.y, [-3, -1.5, 0.5, 2.5, 4.5, 6.0, 7.2, 8.3], [-1.6, -0.6, 0.2, 2.2, 4.0, 4.4, 5.6, 9.4])
         temple = 0.9 * np.exp(-(((self.x - 4.0) / 1.5) ** 2)) * step(6.0, 7.5, self.y)
         ahead = hairline - temple - self.z
         nape = self.y - curve(-self.z, [-2, 1.5, 4.5, 6.0, 9.0], [-1.8, -1.8, -4.6, -6.2, -6.6])
-        return step(-0.7, 1.7, np.minimum(ahead / (1 + 1.6 * step(6.0, 7.5, self.y)), nape) + 0.35 * self.wobble) * (1 - self.ears())
+        return step(-0.8, 1.6, np.minimum(ahead / (1 + 1.8 * step(5.5, 7.0, self.y)), nape) + 0.10 * self.wobble) * (1 - self.ears())
 
     def brow(self):
         """Distance above the eyebrow's middle line, and its half width there."""

@@ -18,7 +18,7 @@ def pores(random, corners, q, n, wobble, regions):
 
 def network(random, corners, q):
     """Points whose cells are the fields between the skin's fine lines, 0.5 to 1 mm wide."""
-    chance = 40 + 320 * step(0.5, 5.0, q[:, 2]) * step(-13, -10, q[:, 1])
+    chance = 60 + 80 * step(-13, -10, q[:, 1]) + 240 * step(0.5, 5.0, q[:, 2]) * step(-13, -10, q[:, 1])
     return scattered(random, corners, chance)
 
 

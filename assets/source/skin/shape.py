@@ -72,7 +72,7 @@ def detail(p):
     q = np.abs(p[:, 0])
     face = step(4.5, 7.5, p[:, 2]) * step(-11.5, -10, p[:, 1]) * step(4.5, 3, p[:, 1])
     ear = step(6.6, 7.2, q) * step(-4.3, -3.6, p[:, 1]) * step(3.3, 2.8, p[:, 1]) * step(-5.5, -4.5, p[:, 2]) * step(0.5, -0.5, p[:, 2])
-    lips = np.exp(-(((p[:, 1] + 6.3) / 0.8) ** 2 + (q / 2.8) ** 4)) * (p[:, 2] > 8)
+    lips = np.exp(-(((p[:, 1] + 6.3) / 0.8) ** 2 + (q / 3.2) ** 8)) * (p[:, 2] > 8)
     eyes = np.exp(-(((p[:, 1] - 0.4) / 1.2) ** 2 + ((q - 3.2) / 2.2) ** 4)) * (p[:, 2] > 7)
     head = 0.25 * step(-14, -11, p[:, 1])
     level = np.maximum.reduce([head, 0.72 * face, 0.85 * ear, 1.0 * lips, 0.95 * eyes, np.full(len(p), 0.06)])
