@@ -27,11 +27,11 @@ def lips(p):
     x, y = np.abs(p[:, 0]), p[:, 1]
     middle, above, below = line_between(x), border_above(x), border_below(x)
     up, down = (y - middle) / np.maximum(above - middle, 0.05), (middle - y) / np.maximum(middle - below, 0.05)
-    full = np.clip(1 - (x / 2.75) ** 2, 0, 1) ** 0.85
+    full = np.clip(1 - (x / 2.7) ** 2, 0, 1)
     upper = curve(up, [0, 0.18, 0.45, 0.8, 1.0, 1.25, 2.0, 3.2], [0.13, 0.24, 0.33, 0.32, 0.265, 0.16, 0.05, 0.0])
     lower = curve(down, [0, 0.15, 0.42, 0.75, 1.0, 1.3, 1.9], [0.15, 0.29, 0.42, 0.36, 0.2, 0.05, 0.0])
     rise = np.where(y > middle, upper, lower) * full
-    crease = 0.10 * np.exp(-((y - middle) / 0.085) ** 2) * step(2.65, 1.5, x)
+    crease = 0.095 * np.exp(-((y - middle) / 0.085) ** 2) * step(2.35, 1.2, x)
     corner = 0.09 * np.exp(-(((x - 2.62) / 0.3) ** 2 + ((y + 6.36) / 0.3) ** 2)) - 0.06 * np.exp(-(((x - 3.2) / 0.45) ** 2 + ((y + 6.4) / 0.7) ** 2))
     groove = 0.085 * np.exp(-(x / 0.28) ** 2) * step(-5.65, -5.25, y) * step(-4.2, -4.6, y)
     ridges = 0.05 * np.exp(-((x - 0.58) / 0.2) ** 2) * step(-5.8, -5.4, y) * step(-4.2, -4.7, y)
@@ -51,7 +51,7 @@ def fold(p):
 def nose(d, p):
     """The nose onto the face d."""
     q = mirrored(p)
-    flank = chain(q, [(0.25, -0.9, 9.6), (0.45, -1.9, 9.9), (0.8, -2.9, 10.3)], [0.42, 0.55, 0.68], 0.3)
+    flank = chain(q, [(0.25, -0.9, 9.6), (0.45, -1.9, 9.9), (0.78, -2.9, 10.25)], [0.42, 0.55, 0.64], 0.3)
     bridge = chain(q, [(0, 0.7, 9.55), (0, -0.4, 10.0), (0, -1.8, 10.9), (0, -2.9, 11.5)], [0.55, 0.54, 0.52, 0.6], 0.3)
     d = smooth_min(d, smooth_min(bridge, flank, 0.8), 1.1)
     tip = smooth_min(bridge, ellipsoid(q, (0, -3.28, 11.66), (0.86, 0.68, 0.8)), 0.5)

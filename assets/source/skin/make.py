@@ -75,7 +75,7 @@ def encoded(linear):
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--mri", default="/usr/share/mricron/templates/ch2.nii.gz", help="the MRI of Debian's mricron-data")
-    options.add_argument("--cell", type=float, default=0.065, help="grid that the surface is contoured on, cm")
+    options.add_argument("--cell", type=float, default=0.07, help="grid that the surface is contoured on, cm")
     options.add_argument("--size", type=int, default=2048, help="texels along the maps' edges")
     given = options.parse_args()
     FOLDER.mkdir(exist_ok=True)
