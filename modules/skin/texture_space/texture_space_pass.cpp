@@ -203,6 +203,7 @@ void TextureSpacePass::light(PassContext& context, const Drawn& drawn, const Chu
             frame.seams.bind(Seam::light_transmittance, fresh, context);
             tables_->bind(fresh, frame.scene);
             bind_texels(fresh, drawn.surface, drawn.maps);
+            fresh.set("number", drawn.number);
         });
         program.set("light_index", unsigned(i));
         list_.update(drawn.maps.atlas(), lit, false);
