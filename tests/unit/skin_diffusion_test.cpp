@@ -10,6 +10,7 @@
 #include "gpu_fixture.h"
 #include "scene/primitives.h"
 #include "skin_meshes.h"
+#include "texture_space/hable_taps.h"
 #include "texture_space/surface_maps.h"
 
 namespace tyndall::skin {
@@ -283,6 +284,33 @@ TEST_F(SkinDiffusion, HablesTapsAreNearAKnifeEdge) {
                     1e3 * double(kWidth) / size, text(mean).c_str(), text(farthest).c_str());
         EXPECT_LE(worst(farthest), 0.05f);
         EXPECT_GE(worst(mean), 0.001f);  // thirteen taps are not the profile
+    }
+}
+
+TEST(SkinHable, TapsAreNearOtherProfilesToo) {
+    // Jensen's skin1 and wax, roughly, and skin at twice the size
+    const physics::DiffusionProfile wide{{{0.05e-6f, {0.2f, 0.3f, 0.5f}},
+                                          {1.0e-6f, {0.3f, 0.5f, 0.45f}},
+                                          {9.0e-6f, {0.4f, 0.19f, 0.05f}},
+                                          {40.0e-6f, {0.1f, 0.01f, 0.0f}}}};
+    const physics::DiffusionProfile even{{{4.0e-6f, glm::vec3(1.0f)}}};
+    for (const physics::DiffusionProfile& profile : {kSkin, kSkin.scaled(2.0f), wide, even}) {
+        const auto taps = hable_taps(profile);
+        glm::vec3 sum(0.0f);
+        for (const HableTap& tap : taps) sum += tap.weight;
+        glm::dvec3 squares(0.0);
+        constexpr int kDirections = 12, kSamples = 400;
+        const float reach = 4.0f * std::sqrt(0.5f * profile.mean_square().x);
+        for (int i = 0; i < kDirections * kSamples; ++i) {
+            const float angle = glm::radians(360.0f * float(i % kDirections) / kDirections);
+            const float x = reach * (2.0f * float(i / kDirections) / kSamples - 1.0f);
+            const glm::dvec3 error(hable_edge(taps, {std::cos(angle), std::sin(angle)}, x) - profile.edge(x));
+            squares += error * error / double(kDirections * kSamples);
+        }
+        const glm::vec3 rms(glm::sqrt(squares));
+        std::printf("taps against a profile of %zu lobes: edge RMS %s\n", profile.lobes.size(), text(rms).c_str());
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(sum[i], 1.0f, 1e-4f);
+        EXPECT_LE(worst(rms), profile.lobes.size() > 1 ? 0.05f : 0.07f);
     }
 }
 

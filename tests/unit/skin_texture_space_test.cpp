@@ -141,6 +141,17 @@ TEST_F(SkinTextureSpaceTest, MapsPathsAndColoursChangeLittle) {
     EXPECT_LT(moved, 0.05f);
 }
 
+TEST_F(SkinTextureSpaceTest, AsMuchEntersAsInTheLightPass) {
+    const auto lit = [&](const char* technique) {
+        return irradiance({.technique = technique}).at(kPixels - 1, kPixels / 2, 2);
+    };
+    const float lambert = lit("lambert"), six = lit("six_gaussians"), hable = lit("hable");
+    std::printf("irradiance far from the edge, blue: lambert %.4f, six_gaussians %.4f, hable %.4f lux\n",
+                double(lambert), double(six), double(hable));
+    EXPECT_NEAR(six / lambert, 1.0f, 2e-3f);
+    EXPECT_NEAR(hable / lambert, 1.0f, 2e-3f);
+}
+
 TEST_F(SkinTextureSpaceTest, WhatHasNoMapIsStillLit) {
     const Image tiled = irradiance({.technique = "six_gaussians", .mesh = "tiled.obj"});
     EXPECT_GT(tiled.at(kPixels - 1, kPixels / 2, 0), 1.0f);

@@ -21,8 +21,8 @@ inline constexpr int kHableTaps = 13;
 /// 0.40 mm it is 0.0261 0.0229 0.0230, at 0.50 mm 0.0260 0.0251 0.0235.
 inline constexpr float kHableUnit_m = 0.45e-3f;
 
-/// The published taps, the middle one first. For a profile that is not skin's their offsets are scaled so that the
-/// channel that spreads farthest does so as far as it should, and of the other channels more stays in the middle.
+/// The published taps, the middle one first. For another profile their offsets are scaled to where its light is, and
+/// each ring of taps has the light that leaves there.
 [[nodiscard]] std::array<HableTap, kHableTaps> hable_taps(const physics::DiffusionProfile& profile);
 
 /// Taps nearer to each other than `distance` metres as one, in their middle.

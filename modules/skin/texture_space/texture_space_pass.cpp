@@ -157,9 +157,12 @@ SurfaceMaps& TextureSpacePass::maps_of(PassContext& context, const Surface& surf
     };
     const int size = int(std::bit_floor(unsigned(settings_.texture_space.size)));
     SurfaceMaps& finest = at(size);
-    const float pixels =
-        nearest_pixel_m(surface.bounds, context.frame().block) / std::max(finest.texel_m() * stretch.scale, 1e-12f);
-    const int coarser = std::clamp(int(std::floor(std::log2(std::max(pixels, 1e-6f)))), 0, 3);
+    const float texel_m = std::max(finest.texel_m() * stretch.scale, 1e-12f);
+    // taps that go beyond the gutters would show seams
+    const float reach = technique == MapTechnique::taps ? reach_of(surface.diffusion->profile, technique) : 0.0f;
+    const float wanted_m =
+        std::max(nearest_pixel_m(surface.bounds, context.frame().block), 2.0f * reach / float(kGutterTexels));
+    const int coarser = std::clamp(int(std::floor(std::log2(std::max(wanted_m / texel_m, 1e-6f)))), 0, 3);
     return coarser == 0 ? finest : at(std::max(size >> coarser, 32));
 }
 
@@ -203,6 +206,7 @@ void TextureSpacePass::light(PassContext& context, const Drawn& drawn, const Chu
             frame.seams.bind(Seam::light_transmittance, fresh, context);
             tables_->bind(fresh, frame.scene);
             bind_texels(fresh, drawn.surface, drawn.maps);
+            fresh.set("number", drawn.number);
         });
         program.set("light_index", unsigned(i));
         list_.update(drawn.maps.atlas(), lit, false);

@@ -5,14 +5,19 @@
 #include "seams/light_transmittance.glsl"
 
 uniform uint light_index;
-uniform sampler2D skin_entering;
+uniform sampler2D skin_surfaces;       // skin/surfaces.glsl
+uniform sampler2DArray skin_mirrors;   // oily_layer.h
+uniform float number;                  // of the surface
 
-/// Share of light at an angle that enters, over that of even light; by the nearest row of roughness.
+/// Share of light at an angle that enters, over that of even light, as the shading model has it; by the nearest row of
+/// roughness.
 float entering(float cosine, float roughness) {
-    ivec2 size = textureSize(skin_entering, 0);
+    vec2 mirror = texelFetch(skin_surfaces, ivec2(int(number), 3), 0).xy;
+    ivec2 size = textureSize(skin_mirrors, 0).xy;
     vec2 place = standard_table_coordinate(cosine, roughness, float(size.x)) * vec2(size) - 0.5;
-    ivec2 at = clamp(ivec2(place.x, place.y + 0.5), ivec2(0), size - ivec2(2, 1));
-    return mix(texelFetch(skin_entering, at, 0).x, texelFetch(skin_entering, at + ivec2(1, 0), 0).x, place.x - float(at.x));
+    ivec3 at = ivec3(clamp(ivec2(place.x, place.y + 0.5), ivec2(0), size - ivec2(2, 1)), int(mirror.y));
+    float low = texelFetch(skin_mirrors, at, 0).x, high = texelFetch(skin_mirrors, at + ivec3(1, 0, 0), 0).x;
+    return mix(1.0, mix(low, high, place.x - float(at.x)), mirror.x);
 }
 
 void main() {
