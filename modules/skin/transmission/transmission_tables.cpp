@@ -47,11 +47,10 @@ TransmissionTables::Row TransmissionTables::make(const Source& source) {
     const auto share = [&](float thickness) {
         return source.through ? source.through->at(thickness) : source.profile.through(thickness);
     };
-    const float quarter = 0.25f * most(share(0.0f));
-    row.width_m = row.reach_m;
-    for (int i = kEntries - 1; i >= 0; --i) {
+    const glm::vec3 at_0 = glm::max(share(0.0f), glm::vec3(kLeast));
+    for (int i = 0; i < kEntries && row.width_m == 0.0f; ++i) {
         const float u = float(i) / float(kEntries - 1);
-        if (most(share(row.reach_m * u * u)) < quarter) row.width_m = row.reach_m * u * u;
+        if (most(share(row.reach_m * u * u) / at_0) < 0.25f) row.width_m = row.reach_m * u * u;
     }
     for (int i = 0; i < kEntries; ++i) {
         const float u = float(i) / float(kEntries - 1);

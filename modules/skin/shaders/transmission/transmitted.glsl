@@ -16,6 +16,7 @@ uniform sampler2D skin_entering;
 /// Rings: outer radius, and where they are looked at, in widths of the table.
 const int SKIN_RINGS = 4;
 const vec2 SKIN_RING[SKIN_RINGS] = vec2[](vec2(0.35, 0.17), vec2(0.8, 0.55), vec2(1.4, 1.05), vec2(1e3, 1.8));
+const float SKIN_NOTHING = 1e6;
 /// Radians between rings: the golden angle.
 const float SKIN_TURN = 2.3999632;
 /// Cosines up to this are on their way to nothing: there light arrives from the front.
@@ -46,7 +47,7 @@ SkinView skin_view(ShadowView view, vec3 p, vec3 x, vec3 y, vec3 to_light, float
 }
 
 /// Metres along the light's ray from the plane at `place` up to the first surface that the light meets; below the plane
-/// negative. A large number where there is nothing.
+/// negative. SKIN_NOTHING where there is nothing.
 float skin_depth(SkinView view, vec2 place) {
     vec4 at = view.at + place.x * view.x + place.y * view.y;
     at.w = max(at.w, 1e-6);
@@ -54,7 +55,7 @@ float skin_depth(SkinView view, vec2 place) {
     float first = textureLod(skin_shadow_depths, vec3(uv, view.page), 0.0).x;
     float z = (first - at.z) / view.depth.x;
     if (view.depth.y != 0.0) z = (1.0 - view.depth.y / ((first - view.depth.x) * at.w)) * view.metres;
-    return first > 0.0 ? z : 1e6;
+    return first > 0.0 ? z : SKIN_NOTHING;
 }
 
 /// The cascade, cone or face that sees p; none: page -1.
@@ -114,8 +115,8 @@ vec3 skin_transmitted(uint light, vec3 p, vec3 n, float number, float roughness)
     SkinView view = skin_view(shadow, p, x, y, to_light, metres);
     // light slants through: its middle lies beside
     vec2 slant = vec2(dot(to_light, x), dot(to_light, y));
-    float depth = clamp(skin_depth(view, vec2(0.0)), 0.0, 2.0 * through.width / max(cosine, SKIN_GRAZING));
-    vec2 middle = -depth * slant;
+    float first = max(skin_depth(view, vec2(0.0)), 0.0);
+    vec2 middle = -min(first, 2.0 * through.width / max(cosine, SKIN_GRAZING)) * slant;
 
     mat3x4 box = mat3x4(through.x, through.y, through.z);
     vec3 box_at = vec4(p, 1.0) * box, box_x = vec4(x, 0.0) * box, box_y = vec4(y, 0.0) * box;
@@ -164,6 +165,8 @@ vec3 skin_transmitted(uint light, vec3 p, vec3 n, float number, float roughness)
 
     vec3 from;
     vec3 irradiance = light_irradiance(light, p, from);
-    vec3 arriving = light_transmittance(light, p + (depth + 3.0 * shadow.texel_page_fades.x * view.at.w) * to_light, vec3(0.0));
+    // what else is in light's way before it enters
+    float above = (first < SKIN_NOTHING ? first : 0.0) + 3.0 * shadow.texel_page_fades.x * view.at.w;
+    vec3 arriving = light_transmittance(light, p + above * to_light, vec3(0.0));
     return irradiance * arriving * sum * (shown * max(cosine, 0.0) * other_side * enters);
 }
