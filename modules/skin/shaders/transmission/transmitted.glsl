@@ -17,6 +17,8 @@ uniform sampler2D skin_entering;
 const int SKIN_RINGS = 4;
 const vec2 SKIN_RING[SKIN_RINGS] = vec2[](vec2(0.35, 0.17), vec2(0.8, 0.55), vec2(1.4, 1.05), vec2(1e3, 1.8));
 const float SKIN_NOTHING = 1e6;
+/// Depths of four texels that are as many texels apart belong to two surfaces.
+const float SKIN_STEEPEST = 6.0;
 /// Radians between rings: the golden angle.
 const float SKIN_TURN = 2.3999632;
 /// Cosines up to this are on their way to nothing: there light arrives from the front.
@@ -27,6 +29,7 @@ struct SkinView {
     vec4 at, x, y, light;  // of the point in the page, and of a metre along both of the plane's directions and to the light
     vec4 rectangle;
     float page;
+    float texel;  // metres, times w
     vec2 depth;   // perspective: depth = x + y / metres along the axis; directional: x is the depth of a metre
     float metres;  // from the light
 };
@@ -34,7 +37,8 @@ struct SkinView {
 SkinView skin_view(ShadowView view, vec3 p, vec3 x, vec3 y, vec3 to_light, float metres) {
     mat4 m = view.page_from_world;
     SkinView result = SkinView(m * vec4(p, 1.0), m * vec4(x, 0.0), m * vec4(y, 0.0), m * vec4(to_light, 0.0),
-                               view.rectangle, view.texel_page_fades.y, vec2(0.0), metres);
+                               view.rectangle, view.texel_page_fades.y,
+                               view.texel_page_fades.x, vec2(0.0), metres);
     vec3 axis = transpose(m)[3].xyz;
     if (dot(axis, axis) > 0.0) {
         vec4 depth = transpose(m)[2];
@@ -52,10 +56,20 @@ float skin_depth(SkinView view, vec2 place) {
     vec4 at = view.at + place.x * view.x + place.y * view.y;
     at.w = max(at.w, 1e-6);
     vec2 uv = clamp(at.xy / at.w, view.rectangle.xy, view.rectangle.zw);
-    float first = textureLod(skin_shadow_depths, vec3(uv, view.page), 0.0).x;
-    float z = (first - at.z) / view.depth.x;
-    if (view.depth.y != 0.0) z = (1.0 - view.depth.y / ((first - view.depth.x) * at.w)) * view.metres;
-    return first > 0.0 ? z : SKIN_NOTHING;
+    vec4 texels = textureGather(skin_shadow_depths, vec3(uv, view.page));
+    vec4 z = (texels - at.z) / view.depth.x;
+    if (view.depth.y != 0.0) z = (1.0 - view.depth.y / ((texels - view.depth.x) * at.w)) * view.metres;
+    vec2 f = fract(uv * vec2(textureSize(skin_shadow_depths, 0).xy) - 0.5);
+    vec2 rows = mix(z.wx, z.zy, f.x);
+    float between = mix(rows.x, rows.y, f.y);
+    // between two surfaces there is none: the nearest texel's
+    vec2 low = min(z.xy, z.zw), high = max(z.xy, z.zw);
+    bool torn = max(high.x, high.y) - min(low.x, low.y) > SKIN_STEEPEST * view.texel * at.w;
+    vec2 row = f.y < 0.5 ? z.wz : z.xy;
+    vec2 row_texels = f.y < 0.5 ? texels.wz : texels.xy;
+    float nearest = f.x < 0.5 ? row.x : row.y;
+    float stored = f.x < 0.5 ? row_texels.x : row_texels.y;
+    return stored > 0.0 ? (torn ? nearest : between) : SKIN_NOTHING;
 }
 
 /// The cascade, cone or face that sees p; none: page -1.
@@ -141,7 +155,10 @@ vec3 skin_transmitted(uint light, vec3 p, vec3 n, float number, float roughness)
             float up = skin_depth(view, place);
             vec3 in_box = abs(box_at + place.x * box_x + place.y * box_y + up * box_light);
             float h = up * cosine;
-            vec3 share = skin_share(through, h * h + low * low) - skin_share(through, h * h + ring.x * ring.x);
+            vec2 beside = place + up * slant;
+            // what is not as deep as in the middle lies elsewhere beside
+            float squared = h * h + max(dot(beside, beside) - ring.y * ring.y, -low * low);
+            vec3 share = skin_share(through, squared + low * low) - skin_share(through, squared + ring.x * ring.x);
             kept[j] = all(lessThan(in_box, beyond)) ? 1.0 : 0.0;
             shares[j] = kept[j] * share;
             z[j] = up;
