@@ -92,8 +92,8 @@ void TransmissionTables::bind(const gpu::Program& program, const RenderScene& sc
         shares_.upload(0, 0, all.data());
     }
     if (texels != surface_texels_ || surfaces_.name() == 0) {
-        surfaces_ = gpu::Texture(
-            {.format = gpu::Format::rgba32f, .width = int(width), .height = int(kSurfaceRows)}, "skin through surfaces");
+        surfaces_ = gpu::Texture({.format = gpu::Format::rgba32f, .width = int(width), .height = int(kSurfaceRows)},
+                                 "skin through surfaces");
         surfaces_.upload(0, 0, texels.data());
         surface_texels_ = std::move(texels);
     }

@@ -28,7 +28,8 @@ class TransmissionTables {
     struct Row {
         Source source;
         float reach_m = 0.0f;
-        float width_m = 0.0f;  ///< where a quarter of what comes through nothing comes through, by the channel that goes farthest
+        float width_m =
+            0.0f;  ///< where a quarter of what comes through nothing comes through, by the channel that goes farthest
         std::vector<glm::vec4> shares;
     };
     static Row make(const Source& source);
