@@ -20,11 +20,17 @@ struct Seen {
     [[nodiscard]] bool empty() const { return high == glm::ivec2(0); }
 };
 
-Seen seen_skin(PassContext& context) {
+bool in_map(const SurfaceDiffusion& diffusion) {
+    return technique_of(diffusion) >= Technique::six_gaussians;
+}
+
+Seen seen_skin(PassContext& context, SpreadIn spread) {
     const Frame& frame = context.frame();
     Seen seen{context.size()};
     for (const Surface& surface : frame.scene.surfaces) {
-        if (!surface.diffusion || !(surface.diffusion->transmission > 0.0f)) continue;
+        if (!surface.diffusion || !(surface.diffusion->transmission > 0.0f) ||
+            in_map(*surface.diffusion) != (spread == SpreadIn::map))
+            continue;
         const PixelRectangle pixels = pixels_of(surface.bounds, frame.block.view_projection, context.size());
         if (pixels.empty()) continue;
         seen.low = glm::min(seen.low, pixels.low);
@@ -36,9 +42,10 @@ Seen seen_skin(PassContext& context) {
 
 }  // namespace
 
-TransmissionPass::TransmissionPass(std::shared_ptr<SkinTables> tables, const SkinSettings& settings)
+TransmissionPass::TransmissionPass(std::shared_ptr<SkinTables> tables, const SkinSettings& settings, SpreadIn spread)
     : tables_(std::move(tables)),
       settings_(settings),
+      spread_(spread),
       programs_({.name = "skin.transmission", .fragment = "skin/transmission/transmission.frag"}) {}
 
 void TransmissionPass::declare(PassDeclaration& declaration) {
@@ -48,12 +55,13 @@ void TransmissionPass::declare(PassDeclaration& declaration) {
         .reads("gbuffer_surface", "which skin is seen, and its plane")
         .reads("shadow_maps", "where light enters")
         .updates("light_diffuse", "light that came through thin parts");
+    if (spread_ == SpreadIn::map) declaration.after("skin.texture_space");
 }
 
 void TransmissionPass::execute(PassContext& context) {
     static constexpr std::string_view kTargets[] = {"light_diffuse", "scene_depth"};
     if (!settings_.enabled) return;
-    const Seen seen = seen_skin(context);
+    const Seen seen = seen_skin(context, spread_);
     if (seen.empty()) return;
     Frame& frame = context.frame();
     context.bind_targets(kTargets, -1);
@@ -69,6 +77,8 @@ void TransmissionPass::execute(PassContext& context) {
             shares_.bind(fresh, frame.scene);
             fresh.texture("skin_shadow_depths", *frame.shadow_maps.texture(), {.filter = gpu::Filter::linear});
         });
+        program.set("first_map_technique", float(Technique::six_gaussians));
+        program.set("in_maps", spread_ == SpreadIn::map ? 1.0f : 0.0f);
         program.set("light_index", unsigned(i));
         gpu::draw_fullscreen();
     }

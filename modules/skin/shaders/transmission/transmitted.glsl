@@ -11,7 +11,7 @@
 uniform sampler2DArray skin_shadow_depths;
 uniform sampler2D skin_through;           // a row of shares each: TransmissionTables
 uniform sampler2D skin_through_surfaces;  // rows: world to the surface's box, -1..1; table, its reach, its width
-uniform sampler2D skin_entering;
+uniform sampler2DArray skin_mirrors;      // oily_layer.h
 
 /// Rings: outer radius, and where they are looked at, in widths of the table.
 const int SKIN_RINGS = 4;
@@ -177,8 +177,8 @@ vec3 skin_transmitted(uint light, vec3 p, vec3 n, float number, float roughness)
     vec3 entry = normalize(cross(y + slope.y * to_light, x + slope.x * to_light));
     float other_side = clamp(0.5 - 0.5 * dot(entry, n), 0.0, 1.0);
     vec2 lookup = standard_table_coordinate(max(dot(entry, to_light), 0.0), roughness,
-                                            float(textureSize(skin_entering, 0).x));
-    float enters = textureLod(skin_entering, lookup, 0.0).x;
+                                            float(textureSize(skin_mirrors, 0).x));
+    float enters = mix(1.0, textureLod(skin_mirrors, vec3(lookup, skin.mirror_layer), 0.0).x, skin.mirror);
 
     vec3 from;
     vec3 irradiance = light_irradiance(light, p, from);
