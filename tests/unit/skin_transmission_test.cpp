@@ -157,6 +157,13 @@ TEST_F(SkinTransmissionTest, LightFromTheFrontIsLeftAlone) {
     }
 }
 
+TEST_F(SkinTransmissionTest, SkinInMapsGlowsAsWell) {
+    const glm::vec3 screen = centre(render_slab({})), map = centre(render_slab({.technique = "six_gaussians"}));
+    std::printf("in maps / on the screen: %.4f %.4f %.4f\n", double(map.x / screen.x), double(map.y / screen.y),
+                double(map.z / screen.z));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(map[c], screen[c], 0.01f * screen[c]);
+}
+
 TEST_F(SkinTransmissionTest, BothPathsAreOne) {
     const Image first = render_slab({.path = "light_pre_pass"}, 1.0f, "radiance");
     const Image second = render_slab({.path = "deferred"}, 1.0f, "radiance");
