@@ -41,4 +41,11 @@ glm::vec3 SlabTransmittance::at(float thickness_m) const {
     return glm::mix(values_[i], values_[i + 1], x - float(i));
 }
 
+SlabTransmittance SlabTransmittance::scaled(float lengths, const glm::vec3& shares) const {
+    SlabTransmittance result = *this;
+    result.reach_m_ *= lengths;
+    for (glm::vec3& value : result.values_) value *= shares;
+    return result;
+}
+
 }  // namespace tyndall::physics

@@ -29,6 +29,8 @@ class SlabTransmittance {
     [[nodiscard]] float reach_m() const { return reach_m_; }
     /// Linear between entries; 0 beyond the reach.
     [[nodiscard]] glm::vec3 at(float thickness_m) const;
+    /// Thicknesses times `lengths` (above 0), shares times `shares`.
+    [[nodiscard]] SlabTransmittance scaled(float lengths, const glm::vec3& shares) const;
 
  private:
     std::array<glm::vec3, kEntries> values_{};

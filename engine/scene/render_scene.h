@@ -22,6 +22,7 @@
 #include "geometry/mesh.h"
 #include "image/image.h"
 #include "physics/diffusion_profile.h"
+#include "physics/slab_transmittance.h"
 #include "scene/scattering.h"
 
 namespace tyndall {
@@ -107,8 +108,11 @@ struct SurfaceDiffusion {
     physics::DiffusionProfile profile;  ///< metres of the world
     float pre_scatter = 0.5f;   ///< base colour to this power counts where light enters, the rest where it leaves
     float transmission = 1.0f;  ///< share of what comes through thin parts that is shown
-    float detail_m = 0.001f;    ///< wavelength of what the normal map adds
-    std::string technique;      ///< what the scene asks to render it with in real time, by a module's names
+    /// Of light that enters one side of a thin part, what leaves the other, to be multiplied by the base colour; null =
+    /// the profile's own guess (DiffusionProfile::through).
+    std::shared_ptr<const physics::SlabTransmittance> through;
+    float detail_m = 0.001f;  ///< wavelength of what the normal map adds
+    std::string technique;    ///< what the scene asks to render it with in real time, by a module's names
 };
 
 /// A mesh placed in the world.

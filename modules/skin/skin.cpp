@@ -4,6 +4,7 @@
 #include "screen/screen_pass.h"
 #include "skin_component.h"
 #include "texture_space/texture_space_pass.h"
+#include "transmission/transmission_pass.h"
 
 namespace tyndall::skin {
 
@@ -14,8 +15,10 @@ class Skin final : public Module {
         const SkinSettings& settings = registrar.settings<SkinSettings>();
         const auto tables = std::make_shared<SkinTables>();
         registrar.seam(Seam::shading_model, shading_model(tables));
+        registrar.pass(std::make_unique<TransmissionPass>(tables, settings, SpreadIn::light_or_screen));
         registrar.pass(std::make_unique<ScreenPass>(tables, settings));
         registrar.pass(std::make_unique<TextureSpacePass>(tables, settings));
+        registrar.pass(std::make_unique<TransmissionPass>(tables, settings, SpreadIn::map));
     }
 };
 

@@ -1,5 +1,7 @@
 #include "skin_component.h"
 
+#include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
@@ -14,6 +16,10 @@ namespace {
 
 /// Curvature is what skin spreads over: smoothed over as many metres.
 constexpr float kCurvatureSmoothing_m = 0.003f;
+
+/// Thickness that does not scale to nothing, and albedos that shares are not divided by.
+constexpr float kLeastStrength = 1e-3f;
+constexpr float kLeastAlbedo = 0.02f;
 
 /// What the extractor made for a surface.
 struct Made {
@@ -91,7 +97,12 @@ class SkinExtractor {
     std::shared_ptr<const SurfaceDiffusion> diffusion_of(const SkinComponent& component, const MeshAsset& mesh,
                                                          const std::string& name) {
         auto made = std::make_shared<SurfaceDiffusion>();
-        made->profile = adjusted(make_profile(component.profile), component);
+        const std::shared_ptr<const MadeProfile> profile = made_profile(component.profile);
+        made->profile = adjusted(profile->profile, component);
+        if (profile->transmittance)
+            made->through = std::make_shared<physics::SlabTransmittance>(profile->transmittance->scaled(
+                std::max(component.strength, kLeastStrength),
+                component.tint / glm::max(profile->albedo, kLeastAlbedo)));
         made->pre_scatter = component.pre_scatter;
         made->transmission = component.transmission;
         made->detail_m = component.detail_mm * 1e-3f;

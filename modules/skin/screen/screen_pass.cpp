@@ -9,9 +9,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/pixel_rectangle.h"
+#include "seen_rectangle.h"
 
 namespace tyndall::skin {
 namespace {
@@ -27,37 +27,6 @@ const glm::vec3 kWideShare{0.767f, 0.545f, 0.351f / (0.694f + 0.351f)};
 
 bool on_screen(Technique technique) {
     return technique == Technique::two_gaussians || technique == Technique::separable || technique == Technique::disc;
-}
-
-/// A full-screen triangle draws within a rectangle, and where something is nearer than a depth, for the time of a
-/// scope. Tests before the shader are what software renderers skip pixels by.
-class Within {
- public:
-    Within(glm::ivec2 low, glm::ivec2 high, float far) : state_(DepthState::in_front) {
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(low.x, low.y, high.x - low.x, high.y - low.y);
-        glDepthRangef(far, far);
-    }
-    ~Within() {
-        glDepthRangef(0.0f, 1.0f);
-        glDisable(GL_SCISSOR_TEST);
-    }
-    Within(const Within&) = delete;
-    Within& operator=(const Within&) = delete;
-
- private:
-    DrawState state_;
-};
-
-/// Depth of the box's farthest corner, reversed-Z; 0 where it reaches behind the eye.
-float far_depth(const Bounds& bounds, const Frame& frame) {
-    float farthest = 0.0f;
-    for (int i = 0; i < 8; ++i) {
-        const glm::vec3 corner((i & 1) != 0 ? bounds.high.x : bounds.low.x, (i & 2) != 0 ? bounds.high.y : bounds.low.y,
-                               (i & 4) != 0 ? bounds.high.z : bounds.low.z);
-        farthest = std::max(farthest, (frame.block.view_projection * glm::vec4(corner, 1.0f)).w);
-    }
-    return farthest > 0.0f ? 0.999f * std::min(frame.block.eye_near.w / farthest, 1.0f) : 0.0f;
 }
 
 /// Metres of a pixel across the line of sight, where the box is nearest to the eye.
@@ -85,7 +54,8 @@ void ScreenPass::declare(PassDeclaration& declaration) {
         .reads("gbuffer_surface", "which skin is seen, and its plane")
         .writes("skin_light", {.format = gpu::Format::rgba32f}, "irradiance that enters skin, metres from the eye")
         .writes("skin_spread", {.format = gpu::Format::rgba32f}, "the same, spread along one direction")
-        .updates("light_diffuse", "irradiance spread under the skin");
+        .updates("light_diffuse", "irradiance spread under the skin")
+        .after("skin.transmission");
 }
 
 std::vector<ScreenPass::Group> ScreenPass::groups(PassContext& context) const {
