@@ -125,8 +125,8 @@ struct Surface {
     bool casts_shadow = true;
     bool collides = false;  ///< a walking viewer collides with it
     std::optional<ScatteringInterior> interior;
-    /// Null = light leaves where it enters. Where there is an interior as well, that is the truth and this what real time
-    /// takes for it.
+    /// Null = light leaves where it enters. Where there is an interior as well, that is the truth and this what real
+    /// time takes for it.
     std::shared_ptr<const SurfaceDiffusion> diffusion;
     Entity entity;
 };

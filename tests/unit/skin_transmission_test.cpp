@@ -31,7 +31,7 @@ struct Slab {
     float thickness_mm = 2.0f;
     float angle_deg = 0.0f;
     std::string light = kSun;
-    std::string profile = "skin1";
+    std::string profile = "skin_1";
     std::string technique = "separable";
     std::string more;  ///< entities, after a comma
     std::string path = "light_pre_pass";
@@ -102,10 +102,10 @@ glm::vec3 expected(const ProfileChoice& choice, float thickness_mm) {
 
 TEST_F(SkinTransmissionTest, SlabsLetThroughWhatTheTableSays) {
     for (const float thickness : {1.0f, 2.0f, 3.0f, 5.0f})
-        for (const char* profile : {"skin1", "six_gaussians"}) {
+        for (const char* profile : {"skin_1", "six_gaussians"}) {
             const glm::vec3 got = centre(render_slab({.thickness_mm = thickness, .profile = profile})) / kLux;
             const ProfileChoice choice =
-                profile == std::string("skin1") ? ProfileChoice(Skin1Profile{}) : ProfileChoice(SixGaussiansProfile{});
+                profile == std::string("skin_1") ? ProfileChoice(Skin1Profile{}) : ProfileChoice(SixGaussiansProfile{});
             const glm::vec3 wanted = expected(choice, thickness);
             std::printf("%s, %.0f mm: %.4f %.4f %.4f, should be %.4f %.4f %.4f\n", profile, double(thickness),
                         double(got.x), double(got.y), double(got.z), double(wanted.x), double(wanted.y),
