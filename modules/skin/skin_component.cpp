@@ -100,9 +100,9 @@ class SkinExtractor {
         const std::shared_ptr<const MadeProfile> profile = made_profile(component.profile);
         made->profile = adjusted(profile->profile, component);
         if (profile->transmittance)
-            made->through = std::make_shared<physics::SlabTransmittance>(profile->transmittance->scaled(
-                std::max(component.strength, kLeastStrength),
-                component.tint / glm::max(profile->albedo, kLeastAlbedo)));
+            made->through = std::make_shared<physics::SlabTransmittance>(
+                profile->transmittance->scaled(std::max(component.strength, kLeastStrength),
+                                               component.tint / glm::max(profile->albedo, kLeastAlbedo)));
         made->pre_scatter = component.pre_scatter;
         made->transmission = component.transmission;
         made->detail_m = component.detail_mm * 1e-3f;
