@@ -139,15 +139,16 @@ void describe(StructBuilder<SkinComponent>& d) {
         "an "
         "interior beside it, the reference path tracer shows that and real time this.");
     d.field("profile", &S::profile, "How light spreads.", profile_names());
-    d.field("technique", &S::technique, "What renders it.", technique_names());
+    d.field("technique", &S::technique, "What renders it; six_gaussians and hable need UVs without overlaps.",
+            technique_names());
     d.field("tint", &S::tint, "An artist's choice: the share of each channel that spreads; 1 is what the profile says.")
         .range(0.0, 1.0)
         .colour();
     d.field("strength", &S::strength, "An artist's choice: distances times this; 1 is what the profile says.")
         .range(0.0, 100.0);
     d.field("pre_scatter", &S::pre_scatter,
-            "The colour to this power counts where light enters, the rest where it leaves: 0 keeps the map sharp, 1 "
-            "blurs it as light is.")
+            "In the map (six_gaussians, hable) the colour to this power counts where light enters, the rest where it "
+            "leaves: 0 keeps it sharp, 1 blurs it as light is. On the screen it counts where light leaves.")
         .range(0.0, 1.0);
     d.field("transmission", &S::transmission, "Share of the light through thin parts that is shown.").range(0.0, 1.0);
     d.field("specular", &S::specular,

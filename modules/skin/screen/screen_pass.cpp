@@ -101,7 +101,10 @@ const ScreenPass::Kernel& ScreenPass::kernel_of(const Group& group) {
         group.technique == Technique::two_gaussians ? wide_gaussian(*group.profile) : *group.profile;
     // closer up, where a kernel is many pixels wide, cells stay as many pixels
     const float pixels = reach(profile) / group.pixel_m;
-    const int a_side = std::clamp(std::max(settings_.taps / 2, int(std::ceil(pixels / 2.0f))), 1, kMostTaps / 2);
+    // one wide Gaussian is smooth: half of the taps do
+    const bool smooth = group.technique == Technique::two_gaussians;
+    const int taps = std::max(settings_.taps / 2, int(std::ceil(pixels / 2.0f)));
+    const int a_side = std::clamp(smooth ? (taps + 1) / 2 : taps, 1, kMostTaps / 2);
     const int count = disc ? settings_.disc_taps : 1 + a_side;
     const auto same = [&](const Kernel& kernel) {
         return kernel.technique == group.technique && kernel.count == count &&
