@@ -2,6 +2,7 @@
 /// What the techniques of the light pass make of one light, as tables over the angle and the surface's curvature.
 
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "physics/diffusion_profile.h"
