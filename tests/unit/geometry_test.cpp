@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "geometry/curvature.h"
 #include "geometry/mesh.h"
 #include "geometry/polygons.h"
 
@@ -195,6 +196,27 @@ TEST(Normals, DegenerateTrianglesAreHarmless) {
     compute_normals(mesh, kDefaultCrease);
     compute_tangents(mesh);
     expect_frames(mesh);
+}
+
+TEST(Curvatures, AreThoseOfSpheresAndSheets) {
+    for (const float radius : {0.01f, 1.0f, 30.0f}) {
+        Mesh mesh = sphere(24, 48);
+        for (glm::vec3& p : mesh.positions) p *= radius;
+        compute_normals(mesh);
+        for (const float smoothing : {0.0f, 0.2f * radius}) {
+            compute_curvatures(mesh, smoothing);
+            for (const float curvature : mesh.curvatures)
+                ASSERT_NEAR(curvature * radius, 1.0f, 0.03f)
+                    << "radius " << radius << ", also at the seam and the poles";
+        }
+    }
+    Mesh inside_out = sphere(24, 48);
+    compute_normals(inside_out);
+    for (glm::vec3& n : inside_out.normals) n = -n;
+    compute_curvatures(inside_out, 0.1f);
+    EXPECT_NEAR(inside_out.curvatures.at(400), -1.0f, 0.03f) << "hollow is negative";
+    Mesh bare = sphere(4, 4);
+    EXPECT_THROW(compute_curvatures(bare, 0.1f), Error) << "it has no normals";
 }
 
 TEST(Tangents, FollowU) {
