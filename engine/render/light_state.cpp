@@ -19,6 +19,10 @@ void append_light_state(std::string& state, const Frame& frame, size_t light, ui
     if (!frame.scene.media.empty()) append_state(state, frame_number);
 }
 
+bool has_light_all_around(const RenderScene& scene) {
+    return !scene.probes.empty() || scene.sky.image || scene.sky.radiance != glm::vec3(0.0f);
+}
+
 void append_surroundings_state(std::string& state, const Frame& frame, uint64_t frame_number) {
     const RenderScene& scene = frame.scene;
     const auto append_image = [&](const std::shared_ptr<const TextureAsset>& image) {

@@ -12,6 +12,9 @@ namespace tyndall::skin {
 /// Depth of the box's farthest corner, reversed-Z; 0 where it reaches behind the eye.
 [[nodiscard]] float far_depth(const Bounds& bounds, const Frame& frame);
 
+/// Metres of a pixel across the line of sight, where the box is nearest to the eye.
+[[nodiscard]] float nearest_pixel_m(const Bounds& bounds, const Frame& frame);
+
 /// A full-screen triangle draws within a rectangle, and where something is nearer than a depth, for the time of a
 /// scope. The depth target must be bound. Tests before the shader are what software renderers skip pixels by.
 class Within {

@@ -19,7 +19,7 @@ class SkinTables {
     void bind(const gpu::Program& program, const RenderScene& scene);
     /// The table of surfaces alone.
     void bind_surfaces(const gpu::Program& program, const RenderScene& scene);
-    /// Number of a profile among the frame's, from 1 on, as the table has it; 0 when there is none.
+    /// The profiles of the scene that `update` last saw, and for as long as it lives; the table numbers them from 1 on.
     [[nodiscard]] const std::vector<const physics::DiffusionProfile*>& profiles() const { return profiles_; }
     /// Finds the profiles and fills the table; the others do it when needed.
     void update(const RenderScene& scene);

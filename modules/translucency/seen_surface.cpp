@@ -22,10 +22,6 @@ std::vector<SeenSurface> seen_surfaces(TechniquePlan& plan, Technique technique,
     return seen;
 }
 
-bool has_light_all_around(const RenderScene& scene) {
-    return !scene.probes.empty() || scene.sky.image || scene.sky.radiance != glm::vec3(0.0f);
-}
-
 void declare_pixels(PassDeclaration& declaration) {
     declaration.stage(Stage::diffusion)
         .reads("scene_depth", "where the surfaces are seen")

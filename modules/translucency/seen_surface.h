@@ -22,9 +22,6 @@ struct SeenSurface {
 /// Surfaces with a size that may be in the picture, of a technique.
 [[nodiscard]] std::vector<SeenSurface> seen_surfaces(TechniquePlan& plan, Technique technique, PassContext& context);
 
-/// Whether light comes from elsewhere than from lights.
-[[nodiscard]] bool has_light_all_around(const RenderScene& scene);
-
 /// In Pass::declare.
 void declare_pixels(PassDeclaration& declaration);
 /// After program.use(): the pixels' targets and the interior.

@@ -29,14 +29,6 @@ bool on_screen(Technique technique) {
     return technique == Technique::two_gaussians || technique == Technique::separable || technique == Technique::disc;
 }
 
-/// Metres of a pixel across the line of sight, where the box is nearest to the eye.
-float pixel_at(const Bounds& bounds, const Frame& frame) {
-    const glm::vec3 eye(frame.block.eye_near);
-    const float distance = glm::distance(eye, glm::clamp(eye, bounds.low, bounds.high));
-    return std::max(distance, frame.block.eye_near.w) * 2.0f * frame.block.tan_half_fov_exposure.y /
-           frame.block.size_time.y;
-}
-
 /// The one Gaussian that two_gaussians blurs by; as wide as the published one where the profile is six_gaussians.
 physics::DiffusionProfile wide_gaussian(const physics::DiffusionProfile& profile) {
     const float as_published = physics::six_gaussian_skin().mean_square().x;
@@ -83,14 +75,14 @@ std::vector<ScreenPass::Group> ScreenPass::groups(PassContext& context) const {
             const auto number = std::ranges::find_if(
                 profiles, [&](const physics::DiffusionProfile* p) { return *p == surface.diffusion->profile; });
             groups.push_back({technique, &surface.diffusion->profile, float(number - profiles.begin() + 1), pixels.low,
-                              pixels.low + pixels.size, pixel_at(surface.bounds, frame),
+                              pixels.low + pixels.size, nearest_pixel_m(surface.bounds, frame),
                               far_depth(surface.bounds, frame)});
             continue;
         }
         group->low = glm::min(group->low, pixels.low);
         group->high = glm::max(group->high, pixels.low + pixels.size);
         group->far = std::min(group->far, far_depth(surface.bounds, frame));
-        group->pixel_m = std::min(group->pixel_m, pixel_at(surface.bounds, frame));
+        group->pixel_m = std::min(group->pixel_m, nearest_pixel_m(surface.bounds, frame));
     }
     return groups;
 }

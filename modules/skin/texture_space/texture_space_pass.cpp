@@ -12,6 +12,7 @@
 #include "render/gpu_scene.h"
 #include "render/light_state.h"
 #include "render/pixel_rectangle.h"
+#include "seen_rectangle.h"
 #include "texture_space/hable_taps.h"
 
 namespace tyndall::skin {
@@ -20,17 +21,6 @@ namespace {
 bool has_volume(const Surface& surface) {
     const float volume = glm::determinant(glm::mat3(surface.transform));
     return volume != 0.0f && std::isfinite(volume);
-}
-
-bool has_light_all_around(const RenderScene& scene) {
-    return !scene.probes.empty() || scene.sky.image || scene.sky.radiance != glm::vec3(0.0f);
-}
-
-/// Metres of a pixel where the box is nearest to the eye.
-float nearest_pixel_m(const Bounds& bounds, const FrameBlock& frame) {
-    const glm::vec3 eye(frame.eye_near);
-    const float distance = glm::distance(glm::clamp(eye, bounds.low, bounds.high), eye);
-    return std::max(distance, frame.eye_near.w) * 2.0f * frame.tan_half_fov_exposure.y / frame.size_time.y;
 }
 
 void bind_texels(const gpu::Program& program, const Surface& surface, const SurfaceMaps& maps) {
@@ -161,7 +151,7 @@ SurfaceMaps& TextureSpacePass::maps_of(PassContext& context, const Surface& surf
     // taps that go beyond the gutters would show seams
     const float reach = technique == MapTechnique::taps ? reach_of(surface.diffusion->profile, technique) : 0.0f;
     const float wanted_m =
-        std::max(nearest_pixel_m(surface.bounds, context.frame().block), 2.0f * reach / float(kGutterTexels));
+        std::max(nearest_pixel_m(surface.bounds, context.frame()), 2.0f * reach / float(kGutterTexels));
     const int coarser = std::clamp(int(std::floor(std::log2(std::max(wanted_m / texel_m, 1e-6f)))), 0, 3);
     return coarser == 0 ? finest : at(std::max(size >> coarser, 32));
 }

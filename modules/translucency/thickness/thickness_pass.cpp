@@ -7,6 +7,7 @@
 #include "body_space.h"
 #include "core/log.h"
 #include "render/frame.h"
+#include "render/light_state.h"
 #include "render/seams.h"
 #include "thickness/thickness_grid.h"
 

@@ -2,6 +2,7 @@
 
 #include "core/log.h"
 #include "render/frame.h"
+#include "render/light_state.h"
 #include "render/seams.h"
 
 namespace tyndall::translucency {
