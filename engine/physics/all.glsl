@@ -6,6 +6,7 @@
 #include "physics/fresnel.glsl"
 #include "physics/ggx.glsl"
 #include "physics/intersect.glsl"
+#include "physics/kelemen.glsl"
 #include "physics/light_profile.glsl"
 #include "physics/noise.glsl"
 #include "physics/phase.glsl"

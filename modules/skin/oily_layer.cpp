@@ -30,17 +30,12 @@ float kelemen_albedo(float cosine, float roughness, float f0) {
             const float fresnel = f0 + (1.0f - f0) * physics::schlick_weight(voh);
             // d omega_l = 4 (v.h) d omega_h, and |l + v| = 2 (v.h)
             const float area = std::sin(theta) * physics::kPi * t / kSteps * 2.0f * physics::kPi / kSteps;
-            sum += kelemen(h.z, 4.0f * voh * voh, roughness) * fresnel * nol * 4.0f * voh * area;
+            sum += physics::kelemen_brdf(h.z, 4.0f * voh * voh, roughness) * fresnel * nol * 4.0f * voh * area;
         }
     return sum;
 }
 
 }  // namespace
-
-float kelemen(float noh, float h2, float roughness) {
-    const float m2 = physics::square(physics::ggx_alpha(roughness)), c2 = noh * noh;
-    return std::exp((c2 - 1.0f) / (c2 * m2)) / (physics::kPi * m2 * c2 * c2 * h2);
-}
 
 OilyLayer oily_layer(const glm::vec4& parameters) {
     static_assert(OilyLayer::kSize == SpecularTable::kSize);

@@ -23,8 +23,4 @@ struct OilyLayer {
 /// Szirmay-Kalos.
 [[nodiscard]] OilyLayer oily_layer(const glm::vec4& parameters);
 
-/// Kelemen & Szirmay-Kalos 2001 with Beckmann's distribution, without Fresnel: `noh` the cosine to the half vector,
-/// `h2` the squared length of l + v. As in shaders/shading_model.glsl.
-[[nodiscard]] float kelemen(float noh, float h2, float roughness);
-
 }  // namespace tyndall::skin

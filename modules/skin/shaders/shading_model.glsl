@@ -1,5 +1,6 @@
 // The shading model "skin". Diffuse light by a table over cosine and curvature (response.h); the oily layer as two lobes
 // of GGX or as Kelemen & Szirmay-Kalos have it.
+#include "physics/kelemen.glsl"
 #include "render/shaders/gbuffer.glsl"
 #include "render/shaders/lights.glsl"
 #include "skin/surfaces.glsl"
@@ -11,14 +12,6 @@ uniform sampler2DArray skin_mirrors;  // oily_layer.h
 
 /// Widest border of a shadow in the table, metres (ShadowResponse::kWidest_m).
 const float SKIN_WIDEST_SHADOW = 0.02;
-
-/// Kelemen & Szirmay-Kalos 2001 with Beckmann's distribution (GPU Gems 3, 14.3), without Fresnel; h = l + v, not
-/// normalised. Over d'Eon & Luebke's it has the 1 / pi that makes it a BRDF.
-float skin_kelemen(float noh, float h2, float roughness) {
-    float m2 = square(ggx_alpha(roughness));
-    float c2 = noh * noh;
-    return exp((c2 - 1.0) / (c2 * m2)) / (kPi * m2 * c2 * c2 * h2);
-}
 
 /// Metres over which the filter of the shadow maps draws a shadow's border at the point.
 float skin_shadow_border(vec3 p, float nol) {
@@ -75,7 +68,7 @@ LightTerms skin_shading_model(ShadingPoint s, LightSample l) {
     vec2 alpha = vec2(ggx_alpha(s.roughness * skin.layer.x), ggx_alpha(s.roughness * skin.layer.y));
     float first = ggx_distribution(s.normal, h, alpha.x) * ggx_visibility(lit, nov, alpha.x);
     float second = ggx_distribution(s.normal, h, alpha.y) * ggx_visibility(lit, nov, alpha.y);
-    float kelemen = skin_kelemen(max(dot(s.normal, h), 1e-3), h2, s.roughness);
+    float kelemen = kelemen_brdf(max(dot(s.normal, h), 1e-3), h2, s.roughness);
     float lobe = skin.layer.w > 0.5 ? kelemen : mix(first, second, skin.layer.z);
     lobe *= skin_mirror_at(nov, s.roughness, skin.mirror_layer).y;
     vec3 mirrored = l.irradiance * (max(nol, 0.0) * lobe);
