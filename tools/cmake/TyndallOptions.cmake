@@ -3,7 +3,6 @@
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
@@ -14,15 +13,18 @@ endif()
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
-  # Relative paths and no directory hash: a fresh clone reuses what another checkout compiled.
+  # Relative paths and no directory hash: a fresh clone reuses what another checkout compiled. Precompiled headers are looked up
+  # by what is in them, which ccache wants to be told.
   set(CMAKE_CXX_COMPILER_LAUNCHER
-      ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE_PROGRAM})
+      ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
+      ${CCACHE_PROGRAM})
 endif()
 
 set(TYNDALL_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, comma separated; empty for none")
 
 add_library(tyndall_options INTERFACE)
 target_compile_options(tyndall_options INTERFACE -Wall -Wextra -Wconversion -Werror -fno-gnu-unique
+  -fPIC  # programs too, which else have -fPIE and cannot share precompiled headers
   -Wno-missing-field-initializers  # members left out of an aggregate have their defaults: that is their point
  )
 target_compile_definitions(tyndall_options INTERFACE GLM_FORCE_XYZW_ONLY= GLM_ENABLE_EXPERIMENTAL)

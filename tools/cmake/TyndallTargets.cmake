@@ -1,3 +1,21 @@
+# tyndall_shared_headers()
+#
+# Headers of libraries that nearly every source reads, compiled once for the engine and its libraries, and once for the tests: a
+# third of a build's time was theirs. A source still names all that it uses: clang-tidy reads it without these. Few and small ones
+# only, since reading them back takes time too: JSON in them costs more than it saves.
+function(tyndall_shared_headers)
+  set(headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <string_view> <vector>
+    <glm/geometric.hpp> <glm/mat4x4.hpp> <glm/vec2.hpp> <glm/vec3.hpp> <glm/vec4.hpp> <fmt/format.h>)
+  add_library(shared_headers OBJECT ${CMAKE_SOURCE_DIR}/tools/cmake/shared_headers.cpp)
+  target_link_libraries(shared_headers PRIVATE tyndall_options glm::glm fmt::fmt)
+  target_precompile_headers(shared_headers PRIVATE ${headers})
+  if(TYNDALL_TESTS)
+    add_library(shared_test_headers OBJECT ${CMAKE_SOURCE_DIR}/tools/cmake/shared_headers.cpp)
+    target_link_libraries(shared_test_headers PRIVATE tyndall_options glm::glm fmt::fmt GTest::gtest)
+    target_precompile_headers(shared_test_headers PRIVATE ${headers} <gtest/gtest.h>)
+  endif()
+endfunction()
+
 # tyndall_floor(NAME HEADERS ... SOURCES ... [LINK ...] [SHARED_LINK ...])
 #
 # One floor of the engine (docs/architecture.md): compiled on its own, linked into libtyndall. LINK is what only the floor's
@@ -8,6 +26,7 @@ function(tyndall_floor NAME)
   cmake_parse_arguments(FLOOR "" "" "HEADERS;SOURCES;LINK;SHARED_LINK" ${ARGN})
   add_library(tyndall_${NAME} OBJECT ${FLOOR_SOURCES} ${FLOOR_HEADERS})
   target_link_libraries(tyndall_${NAME} PRIVATE tyndall_options ${FLOOR_LINK} PUBLIC glm::glm fmt::fmt ${FLOOR_SHARED_LINK})
+  target_precompile_headers(tyndall_${NAME} REUSE_FROM shared_headers)
   target_link_libraries(tyndall PRIVATE tyndall_${NAME} PUBLIC ${FLOOR_SHARED_LINK})
   set(stubs ${TYNDALL_HEADER_STUBS})
   foreach(header ${FLOOR_HEADERS})
@@ -49,6 +68,7 @@ function(tyndall_test NAME)
   cmake_parse_arguments(TEST "SANITIZED" "" "SOURCES;LINK;MODULES" ${ARGN})
   add_executable(${NAME} ${TEST_SOURCES})
   target_link_libraries(${NAME} PRIVATE tyndall_options tyndall GTest::gtest_main ${TEST_LINK})
+  target_precompile_headers(${NAME} REUSE_FROM shared_test_headers)
   add_test(NAME ${NAME} COMMAND ${NAME} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
   foreach(module ${TEST_MODULES})
     add_dependencies(${NAME} module_${module})
