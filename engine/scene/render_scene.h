@@ -22,6 +22,7 @@
 #include "geometry/mesh.h"
 #include "image/image.h"
 #include "physics/diffusion_profile.h"
+#include "physics/profile_corrections.h"
 #include "physics/slab_transmittance.h"
 #include "scene/scattering.h"
 
@@ -111,8 +112,9 @@ struct SurfaceDiffusion {
     /// Of light that enters one side of a thin part, what leaves the other, to be multiplied by the base colour; null =
     /// the profile's own guess (DiffusionProfile::through).
     std::shared_ptr<const physics::SlabTransmittance> through;
-    float detail_m = 0.001f;  ///< wavelength of what the normal map adds
-    std::string technique;    ///< what the scene asks to render it with in real time, by a module's names
+    physics::ProfileCorrections corrections;  ///< metres of the world
+    float detail_m = 0.001f;                  ///< wavelength of what the normal map adds
+    std::string technique;  ///< what the scene asks to render it with in real time, by a module's names
 };
 
 /// A mesh placed in the world.

@@ -34,7 +34,8 @@ MadeProfile of_solid(const physics::SolidProfile& solid) {
 }
 
 MadeProfile make(const SixGaussiansProfile&) {
-    return {.profile = physics::six_gaussian_skin(), .transmittance = std::nullopt};
+    constexpr glm::vec3 kAlbedo(0.47f, 0.38f, 0.29f);  // of the three layers that they were fitted to
+    return {.profile = physics::six_gaussian_skin(), .albedo = kAlbedo, .transmittance = std::nullopt};
 }
 
 MadeProfile make(const Skin1Profile&) {
@@ -112,8 +113,10 @@ class KeptProfiles {
         const std::scoped_lock lock(mutex_);
         const auto found = std::ranges::find(kept_, choice, &Entry::choice);
         if (found != kept_.end()) return found->made;
-        auto made =
-            std::make_shared<const MadeProfile>(std::visit([](const auto& from) { return make(from); }, choice));
+        MadeProfile fresh = std::visit([](const auto& from) { return make(from); }, choice);
+        fresh.corrections =
+            physics::profile_corrections(fresh.albedo, glm::sqrt(fresh.profile.mean_square()), kSkinIor);
+        auto made = std::make_shared<const MadeProfile>(std::move(fresh));
         kept_.push_front({choice, made});
         if (kept_.size() > kMost) kept_.pop_back();
         return made;

@@ -10,9 +10,13 @@
 
 #include "ecs/description.h"
 #include "physics/diffusion_profile.h"
+#include "physics/profile_corrections.h"
 #include "physics/slab_transmittance.h"
 
 namespace tyndall::skin {
+
+/// Index of refraction of skin: a mirror of 0.028 at normal incidence.
+inline constexpr float kSkinIor = 1.4f;
 
 struct SixGaussiansProfile {
     bool operator==(const SixGaussiansProfile&) const = default;
@@ -77,6 +81,7 @@ struct MadeProfile {
     /// What comes through thin parts, where the profile follows from coefficients; otherwise DiffusionProfile::through
     /// is all that is known.
     std::optional<physics::SlabTransmittance> transmittance;
+    physics::ProfileCorrections corrections;  ///< none where the choice says nothing of the albedo
 };
 
 /// Throws Error when there is nothing to make a profile of, or no such thing can be. The last ones made are kept, so

@@ -100,6 +100,33 @@ Response preintegrated_response(const physics::DiffusionProfile& profile) {
     });
 }
 
+Response corrected(const Response& response, const physics::ProfileCorrections& corrections) {
+    constexpr float kMost = 0.5f;  // of the radius: so far the fits hold
+    return filled([&](int row, float cosine) {
+        const auto at = [&](float c, int channel) {
+            const float x = 0.5f * (c + 1.0f) * float(Response::kCosines - 1);
+            const int left = std::clamp(int(x), 0, Response::kCosines - 2);
+            const size_t first = size_t(row * Response::kCosines + left);
+            return std::lerp(response.texels[first][channel], response.texels[first + 1][channel], x - float(left));
+        };
+        const float angle = std::acos(cosine);
+        const float curvature = Response::curvature_of(row);
+        const glm::vec3 convex = 1.0f + glm::min(corrections.convex_m * curvature, kMost);
+        glm::vec3 light;
+        for (int c = 0; c < 3; ++c) {
+            const float drift = std::min(corrections.drift_m[c] * curvature, kMost);
+            float entered = angle;  // angle = entered + drift sin(entered)
+            for (int i = 0; i < 12; ++i) entered = angle - drift * std::sin(entered);
+            const float from = std::cos(entered);
+            // rings of the sphere are wider where light comes to than where it comes from
+            const float narrower = angle > 1e-3f && angle < kPi - 1e-3f ? std::sin(entered) / std::sin(angle)
+                                                                        : 1.0f / (1.0f + drift * cosine);
+            light[c] = at(from, c) * corrections.share(std::max(from, 0.0f))[c] * narrower / (1.0f + drift * from);
+        }
+        return light * convex;
+    });
+}
+
 ShadowResponse shadow_response(const physics::DiffusionProfile& profile) {
     ShadowResponse response;
     for (int y = 0; y < ShadowResponse::kWidths; ++y) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/diffusion_profile.h"
+#include "physics/profile_corrections.h"
 
 namespace tyndall::skin {
 
@@ -29,6 +30,10 @@ struct Response {
 /// Light diffused over a sphere of that curvature, lit from one side: the profile over chords, divided by its own
 /// integral (Penner, Pre-Integrated Skin Shading, SIGGRAPH 2011 courses, who integrates over a ring).
 [[nodiscard]] Response preintegrated_response(const physics::DiffusionProfile& profile);
+
+/// The same with what the profile does not know, on a ball of each curvature: what entered at an angle leaves farther
+/// from the light, there is more of it at grazing angles, and more the more curved the surface is.
+[[nodiscard]] Response corrected(const Response& response, const physics::ProfileCorrections& corrections);
 
 /// The light that a shadow's soft border leaves, once diffused: along a row the share of light from 0 to 1, rows by the
 /// border's width (Penner 2011, shadow scattering). The edge stands in the border's middle and reaches as far as the

@@ -11,7 +11,7 @@
 namespace tyndall::skin {
 namespace {
 
-constexpr size_t kRows = 4;  // a surface's texels: shaders/surfaces.glsl
+constexpr size_t kRows = 5;  // a surface's texels: shaders/surfaces.glsl
 
 /// Share of the normal map that light of each channel does not see, since it spreads over the detail: what the profile
 /// leaves of a wave (its Fourier transform), from 1.
@@ -27,10 +27,14 @@ bool flattens(Technique technique) {
     return technique == Technique::blurred_normals || technique == Technique::preintegrated;
 }
 
-Response response_of(Technique technique, const physics::DiffusionProfile& profile) {
-    if (technique == Technique::wrap) return wrap_response(profile);
-    if (technique == Technique::preintegrated) return preintegrated_response(profile);
-    return lambert_response();
+/// What a technique knows of the profile in the light pass: those that spread light later take it as it enters.
+Technique light_pass(Technique technique) {
+    if (technique == Technique::blurred_normals) return Technique::lambert;
+    return std::min(technique, Technique::two_gaussians);
+}
+
+bool is_corrected(Technique technique) {
+    return technique != Technique::lambert && technique != Technique::wrap && technique != Technique::blurred_normals;
 }
 
 gpu::Texture table(const std::vector<glm::vec4>& texels, int width, int height, const char* name) {
@@ -43,7 +47,7 @@ gpu::Texture table(const std::vector<glm::vec4>& texels, int width, int height, 
 
 void SkinTables::update(const RenderScene& scene) {
     const size_t width = scene.surfaces.size() + 1;
-    std::vector<Layer> layers{{Technique::lambert, {}}};
+    std::vector<Layer> layers{{Technique::lambert, {}, {}}};
     std::vector<glm::vec4> parameters{glm::vec4(1.0f, 1.0f, 0.0f, 0.0f)};
     rows_.assign(kRows * width, glm::vec4(0.0f));
     profiles_.clear();
@@ -61,6 +65,7 @@ void SkinTables::update(const RenderScene& scene) {
             mirror = parameters.insert(parameters.end(), surface.material->shading_parameters);
         rows_[3 * width + i + 1] = {surface.material->ior > 1.0f ? surface.material->specular : 0.0f,
                                     float(mirror - parameters.begin()), 0.0f, 0.0f};
+        if (is_corrected(technique)) rows_[4 * width + i + 1] = glm::vec4(surface.diffusion->corrections.limb, 0.0f);
     }
     if (parameters != parameters_ || mirrors_.name() == 0) upload_layer_tables(parameters);
     if (layers != layers_ || responses_.name() == 0) upload_layers(layers);
@@ -71,9 +76,12 @@ void SkinTables::update(const RenderScene& scene) {
 }
 
 size_t SkinTables::layer_of(const SurfaceDiffusion& diffusion, std::vector<Layer>& layers) const {
-    const Technique technique = technique_of(diffusion);
-    if (technique != Technique::wrap && technique != Technique::preintegrated) return 0;
-    const Layer wanted{technique, diffusion.profile};
+    const Technique technique = light_pass(technique_of(diffusion));
+    if (technique == Technique::lambert) return 0;
+    // where light spreads later the profile is not this table's matter
+    Layer wanted{technique, {}, diffusion.corrections};
+    if (technique == Technique::wrap) wanted = {technique, diffusion.profile, {}};
+    if (technique == Technique::preintegrated) wanted.profile = diffusion.profile;
     const auto found = std::ranges::find(layers, wanted);
     if (found != layers.end()) return size_t(found - layers.begin());
     layers.push_back(wanted);
@@ -90,6 +98,13 @@ size_t SkinTables::profile_of(const SurfaceDiffusion& diffusion) {
     return size_t(found - profiles_.begin()) + 1;
 }
 
+Response SkinTables::response_of(const Layer& layer) {
+    if (layer.technique == Technique::lambert) return lambert_response();
+    if (layer.technique == Technique::wrap) return wrap_response(layer.profile);
+    const bool spreads = layer.technique == Technique::preintegrated;
+    return corrected(spreads ? preintegrated_response(layer.profile) : lambert_response(), layer.corrections);
+}
+
 void SkinTables::upload_layers(const std::vector<Layer>& layers) {
     const auto array = [&](int width, int height, const char* name) {
         return gpu::Texture({.shape = gpu::Shape::array,
@@ -103,7 +118,7 @@ void SkinTables::upload_layers(const std::vector<Layer>& layers) {
     shadows_ = array(ShadowResponse::kShares, ShadowResponse::kWidths, "skin shadows");
     for (size_t i = 0; i < layers.size(); ++i) {
         const Layer& layer = layers[i];
-        responses_.upload(0, int(i), response_of(layer.technique, layer.profile).texels.data());
+        responses_.upload(0, int(i), response_of(layer).texels.data());
         const bool scatters = layer.technique == Technique::preintegrated;
         // a profile without width leaves shadows as they are
         const physics::DiffusionProfile& profile = layer.profile;

@@ -28,10 +28,12 @@ class SkinTables {
     struct Layer {
         Technique technique;
         physics::DiffusionProfile profile;
+        physics::ProfileCorrections corrections;
         bool operator==(const Layer&) const = default;
     };
 
     size_t layer_of(const SurfaceDiffusion& diffusion, std::vector<Layer>& layers) const;
+    static Response response_of(const Layer& layer);
     size_t profile_of(const SurfaceDiffusion& diffusion);
     void upload_layers(const std::vector<Layer>& layers);
     void upload_layer_tables(const std::vector<glm::vec4>& parameters);

@@ -103,6 +103,9 @@ class SkinExtractor {
             made->through = std::make_shared<physics::SlabTransmittance>(
                 profile->transmittance->scaled(std::max(component.strength, kLeastStrength),
                                                component.tint / glm::max(profile->albedo, kLeastAlbedo)));
+        made->corrections = profile->corrections;
+        made->corrections.drift_m *= component.strength;
+        made->corrections.convex_m *= component.strength;
         made->pre_scatter = component.pre_scatter;
         made->transmission = component.transmission;
         made->detail_m = component.detail_mm * 1e-3f;

@@ -44,9 +44,6 @@ struct SkinComponent {
 void describe(StructBuilder<SkinMaps>& d);
 void describe(StructBuilder<SkinComponent>& d);
 
-/// Index of refraction of skin: a mirror of 0.028 at normal incidence.
-inline constexpr float kSkinIor = 1.4f;
-
 /// The profile as the artist wants it: `strength` scales distances, `tint` the share of each channel that spreads.
 [[nodiscard]] physics::DiffusionProfile adjusted(physics::DiffusionProfile profile, const SkinComponent& component);
 

@@ -3,10 +3,10 @@
 #include "physics/kelemen.glsl"
 #include "render/shaders/gbuffer.glsl"
 #include "render/shaders/lights.glsl"
+#include "skin/response.glsl"
 #include "skin/surfaces.glsl"
 
 uniform sampler2D skin_gbuffer_surface;
-uniform sampler2DArray skin_responses;
 uniform sampler2DArray skin_shadows;
 uniform sampler2DArray skin_mirrors;  // oily_layer.h
 
@@ -32,15 +32,6 @@ vec3 skin_shadow(vec3 transmittance, float border, float layer) {
     return texture(skin_shadows, vec3(u, v, layer)).rgb;
 }
 
-/// Diffuse light of a channel each at three cosines.
-vec3 skin_response(vec3 cosines, float curvature, float layer) {
-    vec2 size = vec2(textureSize(skin_responses, 0).xy);
-    vec3 u = (clamp(cosines * 0.5 + 0.5, 0.0, 1.0) * (size.x - 1.0) + 0.5) / size.x;
-    float v = (curvature / (curvature + CURVATURE_MIDDLE) * (size.y - 1.0) + 0.5) / size.y;
-    return vec3(texture(skin_responses, vec3(u.x, v, layer)).r, texture(skin_responses, vec3(u.y, v, layer)).g,
-                texture(skin_responses, vec3(u.z, v, layer)).b);
-}
-
 vec2 skin_mirror_at(float cosine, float roughness, float layer) {
     vec2 at = standard_table_coordinate(cosine, roughness, float(textureSize(skin_mirrors, 0).x));
     return textureLod(skin_mirrors, vec3(at, layer), 0.0).xy;
@@ -55,15 +46,16 @@ LightTerms skin_shading_model(ShadingPoint s, LightSample l) {
     // the cosine of the blend of both normals, brought to unit length
     vec3 cosines = mix(vec3(nol), vec3(dot(mesh.normal, l.direction_to_light)), flat_share) *
                    inversesqrt(max(1.0 - 2.0 * flat_share * (1.0 - flat_share) * (1.0 - both), 0.01));
+    float nov = standard_nov(s.normal, s.view);
     float entering = skin_mirror_at(max(nol, 0.0), s.roughness, skin.mirror_layer).x;
     LightTerms terms;
     vec3 arriving = l.unshadowed * skin_shadow(l.transmittance, skin_shadow_border(s.position, nol), skin.response);
-    terms.diffuse = arriving * skin_response(cosines, mesh.curvature, skin.response) * mix(1.0, entering, skin.mirror);
+    terms.diffuse = arriving * skin_response(cosines, mesh.curvature, skin.response) * mix(1.0, entering, skin.mirror) *
+                    skin_limb(skin, nov);
 
     vec3 sum = l.direction_to_light + s.view;
     float h2 = max(dot(sum, sum), 1e-12);
     vec3 h = sum * inversesqrt(h2);
-    float nov = standard_nov(s.normal, s.view);
     float lit = max(nol, 1e-4);
     vec2 alpha = vec2(ggx_alpha(s.roughness * skin.layer.x), ggx_alpha(s.roughness * skin.layer.y));
     float first = ggx_distribution(s.normal, h, alpha.x) * ggx_visibility(lit, nov, alpha.x);

@@ -11,7 +11,13 @@ struct SkinSurface {
     float transmission;
     float mirror;        // strength of the mirror, 0..1
     float mirror_layer;  // of skin_mirrors
+    vec3 limb;           // physics/profile_corrections.h
 };
+
+/// Of the light that leaves, what leaves at a cosine, over even light.
+vec3 skin_limb(SkinSurface skin, float cosine) {
+    return 1.0 + skin.limb * (2.0 / 3.0 - cosine);
+}
 
 SkinSurface skin_surface(float number) {
     int at = int(number);
@@ -19,5 +25,6 @@ SkinSurface skin_surface(float number) {
     vec4 diffuse = texelFetch(skin_surfaces, ivec2(at, 1), 0);
     vec4 spread = texelFetch(skin_surfaces, ivec2(at, 2), 0);
     vec2 mirror = texelFetch(skin_surfaces, ivec2(at, 3), 0).xy;
-    return SkinSurface(layer, diffuse.xyz, diffuse.w, spread.x, spread.y, spread.z, spread.w, mirror.x, mirror.y);
+    vec3 limb = texelFetch(skin_surfaces, ivec2(at, 4), 0).xyz;
+    return SkinSurface(layer, diffuse.xyz, diffuse.w, spread.x, spread.y, spread.z, spread.w, mirror.x, mirror.y, limb);
 }

@@ -157,11 +157,13 @@ class AtlasMaker {
             const Metric& part = metrics_[corner[i]];
             texel.position += shares[i] * mesh_.positions[corner[i]];
             texel.normal += shares[i] * mesh_.normals[corner[i]];
+            if (!mesh_.curvatures.empty()) texel.curvature += shares[i] * mesh_.curvatures[corner[i]];
             metric.uu += shares[i] * part.uu;
             metric.uv += shares[i] * part.uv;
             metric.vv += shares[i] * part.vv;
         }
         texel.normal /= std::max(glm::length(texel.normal), 1e-12f);
+        texel.curvature = std::max(texel.curvature, 0.0f);
         texel.face = face_of(mesh_, corner);
         texel.steps = steps_of(metric);
         texel.area = std::sqrt(std::max(metric.determinant(), 0.0f));

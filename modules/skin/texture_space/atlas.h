@@ -25,6 +25,7 @@ struct TexelSteps {
 struct AtlasTexel {
     glm::vec3 position{0.0f};  ///< in the mesh's space
     glm::vec3 normal{0.0f};    ///< of the vertices, unit
+    float curvature = 0.0f;    ///< of the mesh where it brings it, 1/m, 0 where it is hollow
     glm::vec3 face{0.0f};      ///< normal of the triangle, unit
     TexelSteps steps;
     float area = 0.0f;  ///< of the surface, m2

@@ -38,7 +38,7 @@ GpuAtlas::GpuAtlas(const Atlas& atlas, bool surface)
         step_list.push_back(packed(texel.steps, texel.at));
         chart_list.push_back(float(texel.chart));
         place_list.emplace_back(texel.position, packed(texel.at));
-        normal_list.emplace_back(texel.normal, float(texel.chart));
+        normal_list.emplace_back((1.0f + texel.curvature) * texel.normal, float(texel.chart));
     };
     const std::vector<size_t> begins = chunk_begins(atlas);
     for (size_t chunk = 0; chunk + 1 < begins.size(); ++chunk) {

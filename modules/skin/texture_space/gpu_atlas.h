@@ -26,7 +26,7 @@ struct GpuAtlas {
     gpu::Texture weights;  ///< the same: of the first three taps, and the gutter's place on the map
     gpu::Texture gutter_charts;
     gpu::Texture places;   ///< covered texels: in the mesh's space, place on the map
-    gpu::Texture normals;  ///< the same: in the mesh's space, chart
+    gpu::Texture normals;  ///< the same: in the mesh's space, as long as 1 + curvature (1/m), chart
     int extent = 0;
     int covered = 0;  ///< entries
     int gutters = 0;  ///< without padding

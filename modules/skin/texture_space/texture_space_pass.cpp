@@ -219,6 +219,7 @@ void TextureSpacePass::draw(PassContext& context, const Drawn& drawn) {
     bind_frame(program, frame);
     for (const char* target : {"scene_depth", "gbuffer_surface"})
         program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
+    tables_->bind_surfaces(program, frame.scene);
     program.texture("map", drawn.maps.result(), {.filter = gpu::Filter::linear});
     program.set("map_from_uv", drawn.maps.map_from_uv());
     program.set("number", drawn.number);

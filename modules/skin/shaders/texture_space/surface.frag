@@ -2,6 +2,7 @@
 // entered; ROOT: the power is a half.
 #include "render/shaders/frame.glsl"
 #include "render/shaders/gbuffer.glsl"
+#include "skin/surfaces.glsl"
 #include "skin/texture_space/slot.glsl"
 
 in vec2 v_uv;
@@ -34,5 +35,6 @@ void main() {
     light *= pow(colour, vec3(-pre_scatter));
 #endif
 #endif
-    light_diffuse = vec4(light, 0.0);
+    float cosine = max(dot(decode_surface_point(texelFetch(gbuffer_surface, pixel, 0)).normal, -eye_ray(gl_FragCoord.xy / frame.size_time.xy)), 0.0);
+    light_diffuse = vec4(light * skin_limb(skin_surface(number), cosine), 0.0);
 }

@@ -13,12 +13,16 @@ uniform mat3 normal_from_local;
 struct Texel {
     vec3 place;
     vec3 normal;
+    float curvature;  // 1/m
     ivec2 at;
     float chart;
 };
 
 Texel texel_at(uint entry) {
     vec4 place = imageLoad(places, list_texel(entry)), normal = imageLoad(normals, list_texel(entry));
-    return Texel((world_from_local * vec4(place.xyz, 1.0)).xyz, normalize(normal_from_local * normal.xyz),
+    float longer = length(normal.xyz);  // by the curvature
+    vec3 turned = normal_from_local * (normal.xyz / longer);
+    float scale = length(turned);  // one over the transform's
+    return Texel((world_from_local * vec4(place.xyz, 1.0)).xyz, turned / scale, (longer - 1.0) * scale,
                  map_texel(place.w), normal.w);
 }
