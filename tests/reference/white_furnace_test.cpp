@@ -57,7 +57,7 @@ TEST(WhiteFurnace, Leaves) {
         material.diffuse_transmission = share;
         material.double_sided = true;
         expect_white(fmt::format("sheet, {} through", share), before(shape(Primitive::plane, kUnit, material)), 256);
-        expect_white(fmt::format("box, {} through", share), before(shape(Primitive::box, kUnit, material)), 512,
+        expect_white(fmt::format("box, {} through", share), before(shape(Primitive::box, kUnit, material)), 1024,
                      kLayer);
         material.specular = 1.0f;
         material.roughness = 0.5f;
