@@ -5,6 +5,7 @@
 #include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/gpu_scene.h"
+#include "render/light_state.h"
 #include "render/material_table.h"
 #include "render/seams.h"
 #include "seen_surface.h"
@@ -57,8 +58,10 @@ void LeavesPass::execute(PassContext& context) {
     const PixelRectangle pixels = pixels_of_leaves(context);
     if (pixels.empty()) return;
     draw_shares(context);
-    begin(context, pixels);
-    add_lights(context, pixels);
+    const RenderScene& scene = context.frame().scene;
+    const bool begins = scene.lights.empty() || has_light_all_around(scene);
+    if (begins) begin(context, pixels);
+    add_lights(context, pixels, begins);
 }
 
 void LeavesPass::draw_shares(PassContext& context) {
@@ -87,7 +90,7 @@ void LeavesPass::begin(PassContext& context, const PixelRectangle& pixels) {
     dispatch_pixels(pixels.size);
 }
 
-void LeavesPass::add_lights(PassContext& context, const PixelRectangle& pixels) {
+void LeavesPass::add_lights(PassContext& context, const PixelRectangle& pixels, bool begun) {
     Frame& frame = context.frame();
     programs_.begin();
     for (size_t i = 0; i < frame.scene.lights.size(); ++i) {
@@ -96,6 +99,7 @@ void LeavesPass::add_lights(PassContext& context, const PixelRectangle& pixels) 
             bind_leaves(fresh, context, pixels);
         });
         program.set("light_index", unsigned(i));
+        program.set("begins", begun || i > 0 ? 0.0f : 1.0f);
         dispatch_pixels(pixels.size);
     }
 }

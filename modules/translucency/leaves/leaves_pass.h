@@ -24,7 +24,8 @@ class LeavesPass final : public Pass {
  private:
     static void draw_shares(PassContext& context);
     static void begin(PassContext& context, const PixelRectangle& pixels);
-    void add_lights(PassContext& context, const PixelRectangle& pixels);
+    /// `begun`: the near side's light has been taken its part from already.
+    void add_lights(PassContext& context, const PixelRectangle& pixels, bool begun);
 
     const TranslucencySettings& settings_;
     LightPrograms programs_;

@@ -5,5 +5,5 @@
 void main() {
     Pixel pixel = lit_pixel();
     vec3 far = -pixel.normal;
-    add_far_light(pixel, indirect_light(pixel.place, far, far, 1.0).irradiance * pixel.occlusion, true);
+    add_far_light(pixel, indirect_light(pixel.place, far, far, 1.0).irradiance * pixel.occlusion, 1.0);
 }
