@@ -7,9 +7,9 @@ layout(std140) uniform MaterialBlock {
     vec4 emissive_normal_scale;  // rgb cd/m2
     vec4 metallic_roughness_occlusion_cutoff;
     vec4 specular_colour_weight;
-    vec4 ior_model;    // x index of refraction, y number of the shading model
+    vec4 ior_model;             // x index of refraction, y number of the shading model
     vec4 diffuse_transmission;  // rgb colour of what goes through, a its share
-    vec4 uv_rows[18];  // two rows a map: xyz = row of the transform, w of the first = UV set
+    vec4 uv_rows[18];           // two rows a map: xyz = row of the transform, w of the first = UV set
 } material;
 
 in vec4 v_uv;
