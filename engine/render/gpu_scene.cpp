@@ -112,6 +112,7 @@ void GpuScene::Implementation::collect_visible(const DrawView& view, bool depth_
         if (!frustum.touches(item.surface->bounds)) continue;
         Visible one;
         one.features = materials.features(item.material);
+        if ((one.features & view.features) != view.features) continue;
         if (depth_only) one.features = (one.features & kAlphaMask) != 0 ? one.features & kDepthFeatures : 0;
         one.material = depth_only && one.features == 0 ? kNoMaterial : item.material;
         one.mesh = item.mesh;

@@ -22,6 +22,7 @@ class Seams;
 struct DrawView {
     glm::mat4 clip_from_world{1.0f};  ///< surfaces outside its side and far planes are left out
     glm::vec3 eye{0.0f};              ///< nearest surfaces come first
+    uint32_t features = 0;            ///< materials without all of these (MaterialFeature) are left out
     bool casters_only = false;        ///< leaves out those that cast no shadow, and draws the others from both sides
 };
 

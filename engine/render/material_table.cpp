@@ -9,18 +9,44 @@ namespace tyndall {
 namespace {
 
 /// Order of the maps in `MaterialRecord::uv_rows`: that of the features' bits.
-constexpr size_t kMaps = 7;
-constexpr std::array<const char*, 10> kDefines{
-    "BASE_COLOUR_MAP", "METALLIC_ROUGHNESS_MAP", "NORMAL_MAP",       "OCCLUSION_MAP", "EMISSIVE_MAP",
-    "SPECULAR_MAP",    "SPECULAR_COLOUR_MAP",    "SHARED_OCCLUSION", "UV_TRANSFORM",  "ALPHA_MASK"};
-constexpr std::array<const char*, kMaps> kSamplers{"base_colour_map",    "metallic_roughness_map", "normal_map",
-                                                   "occlusion_map",      "emissive_map",           "specular_map",
-                                                   "specular_colour_map"};
+constexpr size_t kMaps = 9;
+constexpr std::array<const char*, 13> kDefines{"BASE_COLOUR_MAP",
+                                               "METALLIC_ROUGHNESS_MAP",
+                                               "NORMAL_MAP",
+                                               "OCCLUSION_MAP",
+                                               "EMISSIVE_MAP",
+                                               "SPECULAR_MAP",
+                                               "SPECULAR_COLOUR_MAP",
+                                               "DIFFUSE_TRANSMISSION_MAP",
+                                               "DIFFUSE_TRANSMISSION_COLOUR_MAP",
+                                               "SHARED_OCCLUSION",
+                                               "UV_TRANSFORM",
+                                               "ALPHA_MASK",
+                                               "DIFFUSE_TRANSMISSION"};
+constexpr std::array<const char*, kMaps> kSamplers{"base_colour_map",
+                                                   "metallic_roughness_map",
+                                                   "normal_map",
+                                                   "occlusion_map",
+                                                   "emissive_map",
+                                                   "specular_map",
+                                                   "specular_colour_map",
+                                                   "diffuse_transmission_map",
+                                                   "diffuse_transmission_colour_map"};
 
 std::array<const TextureSlot*, kMaps> slots_of(const Material& m) {
-    return {&m.base_colour_texture, &m.metallic_roughness_texture, &m.normal_texture,         &m.occlusion_texture,
-            &m.emissive_texture,    &m.specular_texture,           &m.specular_colour_texture};
+    return {&m.base_colour_texture,
+            &m.metallic_roughness_texture,
+            &m.normal_texture,
+            &m.occlusion_texture,
+            &m.emissive_texture,
+            &m.specular_texture,
+            &m.specular_colour_texture,
+            &m.diffuse_transmission_texture,
+            &m.diffuse_transmission_colour_texture};
 }
+
+/// Maps that only count where diffuse light goes through.
+constexpr uint32_t kThroughMaps = kDiffuseTransmissionMap | kDiffuseTransmissionColourMap;
 
 bool same_lookup(const TextureSlot& a, const TextureSlot& b) {
     return a.texture == b.texture && a.uv_set == b.uv_set && a.uv_transform == b.uv_transform;
@@ -29,8 +55,10 @@ bool same_lookup(const TextureSlot& a, const TextureSlot& b) {
 uint32_t features_of(const Material& material) {
     const auto slots = slots_of(material);
     uint32_t features = material.alpha_mode == AlphaMode::opaque ? 0u : uint32_t{kAlphaMask};
+    const bool through = material.diffuse_transmission > 0.0f;
+    if (through) features |= kDiffuseTransmission;
     for (size_t i = 0; i < kMaps; ++i) {
-        if (!slots[i]->texture) continue;
+        if (!slots[i]->texture || (!through && (kThroughMaps & (1u << i)) != 0)) continue;
         features |= 1u << i;
         if (slots[i]->uv_set != 0 || slots[i]->uv_transform != glm::mat3(1.0f)) features |= kUvTransform;
     }
@@ -49,6 +77,7 @@ MaterialRecord record_of(const Material& m, uint32_t shading_model) {
         glm::vec4(m.metallic, m.roughness, m.occlusion_strength, m.alpha_cutoff);
     record.specular_colour_weight = glm::vec4(m.specular_colour, m.specular);
     record.ior_model = glm::vec4(m.ior, float(shading_model), 0.0f, 0.0f);
+    record.diffuse_transmission = glm::vec4(m.diffuse_transmission_colour, m.diffuse_transmission);
     const auto slots = slots_of(m);
     for (size_t i = 0; i < kMaps; ++i) {
         const glm::mat3 rows = glm::transpose(slots[i]->uv_transform);

@@ -23,9 +23,12 @@ enum MaterialFeature : uint32_t {
     kEmissiveMap = 1u << 4,
     kSpecularMap = 1u << 5,
     kSpecularColourMap = 1u << 6,
-    kSharedOcclusion = 1u << 7,  ///< occlusion is the red of the metallic-roughness map
-    kUvTransform = 1u << 8,      ///< a map uses the second UV set or a transform
-    kAlphaMask = 1u << 9,
+    kDiffuseTransmissionMap = 1u << 7,
+    kDiffuseTransmissionColourMap = 1u << 8,
+    kSharedOcclusion = 1u << 9,  ///< occlusion is the red of the metallic-roughness map
+    kUvTransform = 1u << 10,     ///< a map uses the second UV set or a transform
+    kAlphaMask = 1u << 11,
+    kDiffuseTransmission = 1u << 12,  ///< diffuse light goes through
 };
 /// The #define names of the features' bits.
 [[nodiscard]] std::vector<std::string> feature_defines(uint32_t features);
@@ -37,8 +40,9 @@ struct alignas(256) MaterialRecord {
     glm::vec4 emissive_normal_scale;
     glm::vec4 metallic_roughness_occlusion_cutoff;
     glm::vec4 specular_colour_weight;
-    glm::vec4 ior_model;  ///< x index of refraction, y number of the shading model
-    glm::vec4 uv_rows[14];
+    glm::vec4 ior_model;             ///< x index of refraction, y number of the shading model
+    glm::vec4 diffuse_transmission;  ///< rgb colour of what goes through, a its share
+    glm::vec4 uv_rows[18];
 };
 
 /// A frame's materials: records by index.

@@ -67,11 +67,14 @@ struct MaterialComponent {
     float thickness_m = 0.0f;
     glm::vec3 attenuation_colour{1.0f};
     float attenuation_distance_m = 0.0f;
+    float diffuse_transmission = 0.0f;
+    glm::vec3 diffuse_transmission_colour{1.0f};
     std::string base_colour_texture;
     std::string metallic_roughness_texture;
     std::string normal_texture;
     std::string occlusion_texture;
     std::string emissive_texture;
+    std::string diffuse_transmission_texture;
     glm::vec2 uv_scale{1.0f};
     std::string shading_model = "standard";
     bool operator==(const MaterialComponent&) const = default;

@@ -46,6 +46,9 @@ void describe_textures(StructBuilder<MaterialComponent>& d) {
         .asset("texture");
     d.field("occlusion_texture", &MaterialComponent::occlusion_texture, "Red is ambient occlusion.").asset("texture");
     d.field("emissive_texture", &MaterialComponent::emissive_texture, "Multiplies emissive_cd_m2.").asset("texture");
+    d.field("diffuse_transmission_texture", &MaterialComponent::diffuse_transmission_texture,
+            "Multiplies diffuse_transmission_colour; its alpha multiplies diffuse_transmission.")
+        .asset("texture");
     d.field("uv_scale", &MaterialComponent::uv_scale, "Repeats of the textures over the unit of the mesh's UVs.");
 }
 
@@ -75,6 +78,13 @@ void describe(StructBuilder<MaterialComponent>& d) {
         .range(0, 1)
         .colour();
     d.field("attenuation_distance_m", &M::attenuation_distance_m, "0 = it attenuates nothing.").unit("m").range(0, 1e6);
+    d.field("diffuse_transmission", &M::diffuse_transmission,
+            "Share of the diffuse light that goes through a thin surface (leaf, paper, cloth) instead of back; the "
+            "module translucency shows it.")
+        .range(0, 1);
+    d.field("diffuse_transmission_colour", &M::diffuse_transmission_colour, "Colour of what goes through.")
+        .range(0, 1)
+        .colour();
     describe_textures(d);
     d.field("shading_model", &M::shading_model, "How light is reflected: standard, or one that a module brings.");
 }

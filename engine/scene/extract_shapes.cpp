@@ -57,7 +57,7 @@ class Materials {
  private:
     using Texture = std::shared_ptr<const TextureAsset>;
     struct Textures {
-        Texture base_colour, metallic_roughness, normal, occlusion, emissive;
+        Texture base_colour, metallic_roughness, normal, occlusion, emissive, diffuse_transmission;
         bool operator==(const Textures&) const = default;
     };
     struct Entry {
@@ -72,8 +72,10 @@ class Materials {
         };
         return {texture(from.base_colour_texture, TextureUse::colour),
                 texture(from.metallic_roughness_texture, TextureUse::data),
-                texture(from.normal_texture, TextureUse::data), texture(from.occlusion_texture, TextureUse::data),
-                texture(from.emissive_texture, TextureUse::colour)};
+                texture(from.normal_texture, TextureUse::data),
+                texture(from.occlusion_texture, TextureUse::data),
+                texture(from.emissive_texture, TextureUse::colour),
+                texture(from.diffuse_transmission_texture, TextureUse::colour)};
     }
 
     static std::shared_ptr<const Material> make(const MaterialComponent& from, const Textures& textures,
@@ -103,11 +105,15 @@ class Materials {
         made->thickness_m = from.thickness_m;
         made->attenuation_colour = from.attenuation_colour;
         made->attenuation_distance_m = from.attenuation_distance_m;
+        made->diffuse_transmission = from.diffuse_transmission;
+        made->diffuse_transmission_colour = from.diffuse_transmission_colour;
         made->base_colour_texture = slot(textures.base_colour);
         made->metallic_roughness_texture = slot(textures.metallic_roughness);
         made->normal_texture = slot(textures.normal);
         made->occlusion_texture = slot(textures.occlusion);
         made->emissive_texture = slot(textures.emissive);
+        made->diffuse_transmission_texture = slot(textures.diffuse_transmission);
+        made->diffuse_transmission_colour_texture = slot(textures.diffuse_transmission);
         return made;
     }
 

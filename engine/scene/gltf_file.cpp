@@ -17,10 +17,15 @@ namespace {
 /// More than tinygltf's own 32-bit lengths could take.
 constexpr size_t kMaxFileBytes = size_t{1} << 30;
 
-constexpr std::array kSupportedExtensions{"KHR_lights_punctual",        "KHR_materials_emissive_strength",
-                                          "KHR_materials_ior",          "KHR_materials_specular",
-                                          "KHR_materials_transmission", "KHR_materials_volume",
-                                          "KHR_mesh_quantization",      "KHR_texture_transform"};
+constexpr std::array kSupportedExtensions{"KHR_lights_punctual",
+                                          "KHR_materials_emissive_strength",
+                                          "KHR_materials_ior",
+                                          "KHR_materials_specular",
+                                          "KHR_materials_transmission",
+                                          "KHR_materials_volume",
+                                          "KHR_materials_diffuse_transmission",
+                                          "KHR_mesh_quantization",
+                                          "KHR_texture_transform"};
 
 /// The two chunks of a .glb file (glTF 2.0, section 4.4). tinygltf checks less than this: it reads past a truncated
 /// binary chunk.

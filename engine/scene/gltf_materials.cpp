@@ -132,6 +132,16 @@ struct Maker {
             material.transmission_texture =
                 slot(reference_to(*transmission, "transmissionTexture"), "transmissionTexture", TextureUse::data);
         }
+        if (const auto* diffuse = extension(from, "KHR_materials_diffuse_transmission")) {
+            material.diffuse_transmission = values.number(*diffuse, "diffuseTransmissionFactor", 0, 0, 1);
+            material.diffuse_transmission_colour =
+                to_working * values.vector(*diffuse, "diffuseTransmissionColorFactor", glm::vec3(1.0f), 0, 1);
+            material.diffuse_transmission_texture = slot(reference_to(*diffuse, "diffuseTransmissionTexture"),
+                                                         "diffuseTransmissionTexture", TextureUse::data);
+            material.diffuse_transmission_colour_texture =
+                slot(reference_to(*diffuse, "diffuseTransmissionColorTexture"), "diffuseTransmissionColorTexture",
+                     TextureUse::colour);
+        }
         if (const auto* volume = extension(from, "KHR_materials_volume")) {
             material.thickness_m = values.number(*volume, "thicknessFactor", 0, 0, kInfinity);
             material.thickness_texture =

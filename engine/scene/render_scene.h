@@ -83,8 +83,14 @@ struct Material {
     float thickness_m = 0.0f;   ///< KHR_materials_volume
     glm::vec3 attenuation_colour{1.0f};
     float attenuation_distance_m = 0.0f;  ///< 0 = infinite
+    /// KHR_materials_diffuse_transmission: share of the diffuse light that goes through a thin surface instead of back,
+    /// and its colour there.
+    float diffuse_transmission = 0.0f;
+    glm::vec3 diffuse_transmission_colour{1.0f};
     TextureSlot base_colour_texture, metallic_roughness_texture, normal_texture, occlusion_texture, emissive_texture;
     TextureSlot specular_texture, specular_colour_texture, transmission_texture, thickness_texture;
+    TextureSlot diffuse_transmission_texture;         ///< its alpha counts
+    TextureSlot diffuse_transmission_colour_texture;  ///< its colour counts
 };
 
 /// What is inside a closed mesh, behind a dielectric boundary. A surface that has one is that boundary: where the

@@ -30,14 +30,19 @@ void declare_pixels(PassDeclaration& declaration) {
         .updates("light_diffuse", "light that leaves translucent surfaces in place of what arrives there");
 }
 
+void bind_lit_pixels(const gpu::Program& program, PassContext& context, const PixelRectangle& pixels) {
+    for (const char* target : {"scene_depth", "gbuffer_normal"})
+        program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
+    program.image("light_diffuse", context.texture("light_diffuse"), 0, true);
+    program.set("pixels_low", pixels.low);
+    program.set("pixels_size", pixels.size);
+}
+
 void bind_pixels(const gpu::Program& program, PassContext& context, const SeenSurface& seen,
                  const InteriorBuffers& interior) {
     interior.bind(program);
-    for (const char* target : {"scene_depth", "gbuffer_normal", "gbuffer_surface"})
-        program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
-    program.image("light_diffuse", context.texture("light_diffuse"), 0, true);
-    program.set("pixels_low", seen.pixels.low);
-    program.set("pixels_size", seen.pixels.size);
+    bind_lit_pixels(program, context, seen.pixels);
+    program.texture("gbuffer_surface", context.texture("gbuffer_surface"), {.filter = gpu::Filter::nearest});
     program.set("number", seen.number);
 }
 

@@ -24,6 +24,8 @@ struct SeenSurface {
 
 /// In Pass::declare.
 void declare_pixels(PassDeclaration& declaration);
+/// After program.use(): what shaders/lit_pixel.glsl reads of pixels of any surface.
+void bind_lit_pixels(const gpu::Program& program, PassContext& context, const PixelRectangle& pixels);
 /// After program.use(): the pixels' targets and the interior.
 void bind_pixels(const gpu::Program& program, PassContext& context, const SeenSurface& seen,
                  const InteriorBuffers& interior);

@@ -1,6 +1,7 @@
 // The module: what it registers.
 
 #include "htsm/htsm_pass.h"
+#include "leaves/leaves_pass.h"
 #include "module/module.h"
 #include "points/points_pass.h"
 #include "radiance_maps/radiance_maps_pass.h"
@@ -23,6 +24,7 @@ class Translucency final : public Module {
         registrar.pass(std::make_unique<WrapPass>(plan, settings));
         registrar.pass(std::make_unique<RadianceMapsPass>(plan, settings));
         registrar.pass(std::make_unique<ScatterMapsPass>(plan, settings));
+        registrar.pass(std::make_unique<LeavesPass>(settings));
     }
 };
 

@@ -91,7 +91,9 @@ struct TranslucencySettings {
 inline void describe(StructBuilder<TranslucencySettings>& d) {
     using S = TranslucencySettings;
     d.doc("How surfaces with an interior that scatters are rendered.");
-    d.field("enabled", &S::enabled, "Off: interiors are drawn plainly, by the light that a half-space returns.");
+    d.field(
+        "enabled", &S::enabled,
+        "Off: interiors are drawn plainly, by the light that a half-space returns, and leaves let nothing through.");
     d.field("model", &S::model, "The model of diffusion: where the light that enters leaves again.",
             {"normalised", "better", "standard", "photon_beams", "directional"});
     d.field("scaling", &S::scaling,

@@ -27,15 +27,19 @@ struct Layered {
     const char* name;
     float roughness, metallic;
     vec3 base;
+    float through = 0.0f;
+    vec3 through_colour{1.0f};
 };
 const Layered kLayered[] = {{"coated, roughness 0.3", 0.3f, 0.0f, vec3(0.8f, 0.5f, 0.1f)},
                             {"coated, roughness 0.9", 0.9f, 0.0f, vec3(0.2f, 0.5f, 0.9f)},
                             {"metal, roughness 0.4", 0.4f, 1.0f, vec3(0.9f, 0.6f, 0.3f)},
-                            {"half metal, roughness 0.6", 0.6f, 0.5f, vec3(0.7f)}};
+                            {"half metal, roughness 0.6", 0.6f, 0.5f, vec3(0.7f)},
+                            {"leaf, roughness 0.4", 0.4f, 0.0f, vec3(0.1f, 0.4f, 0.05f), 0.6f, vec3(0.5f, 0.9f, 0.2f)}};
 
 MaterialPoint point_of(const Layered& layered) {
     MaterialPoint point;
     point.roughness = layered.roughness, point.metallic = layered.metallic, point.base_colour = layered.base;
+    point.diffuse_transmission = layered.through, point.diffuse_transmission_colour = layered.through_colour;
     return point;
 }
 
@@ -45,10 +49,11 @@ vec3 tilted(float degrees, float azimuth = 0.7f) {
 
 TEST(Samplers, StandardMaterial) {
     constexpr int kSamples = 400000;
-    const DirectionBins bins{24, 32, 0.0f};
     uint32_t seed = 400;
     for (const Layered& layered : kLayered)
         for (const float angle : {10.0f, 65.0f}) {
+            const bool both_sides = layered.through > 0.0f;
+            const DirectionBins bins{both_sides ? 48 : 24, 32, both_sides ? -1.0f : 0.0f};
             const StandardBsdf bsdf(point_of(layered), &albedo_table(), kNormal, tilted(angle));
             glm::dvec3 light(0.0), weights(0.0);
             const double share = bins.solid_angle() / (24.0 * 24.0);
@@ -82,11 +87,12 @@ TEST(Layers, WhiteOnesReturnAllLight) {
     constexpr int kPoints = 200000;
     constexpr double kRoot = 1.2207440846057596;  // of x^4 = x + 1
     double worst = 0.0;
-    for (const float metallic : {0.0f, 1.0f})
+    constexpr glm::vec2 kKinds[] = {{0.0f, 0.0f}, {0.0f, 0.4f}, {0.0f, 1.0f}, {1.0f, 0.0f}};
+    for (const auto& [metallic, through] : kKinds)
         for (const float roughness : {0.1f, 0.3f, 0.6f, 1.0f})
             for (const float angle : {0.0f, 45.0f, 75.0f, 85.0f}) {
-                const StandardBsdf bsdf(point_of({"", roughness, metallic, vec3(1.0f)}), &albedo_table(), kNormal,
-                                        tilted(angle));
+                const StandardBsdf bsdf(point_of({"", roughness, metallic, vec3(1.0f), through}), &albedo_table(),
+                                        kNormal, tilted(angle));
                 glm::dvec3 at(0.5);
                 double sum = 0.0;
                 for (int i = 0; i < kPoints; ++i) {
@@ -97,7 +103,7 @@ TEST(Layers, WhiteOnesReturnAllLight) {
                 }
                 worst = std::max(worst, std::abs(sum / kPoints - 1.0));
             }
-    expect_below("white layers, coated and metal: |albedo - 1|", worst, 0.0015);
+    expect_below("white layers, coated, leaves and metal: |albedo - 1|", worst, 0.0015);
 }
 
 TEST(Reciprocity, StandardMaterial) {
@@ -107,11 +113,13 @@ TEST(Reciprocity, StandardMaterial) {
         for (int i = 0; i < 20000; ++i) {
             const float a = dice(), b = dice(), c = dice();
             const vec3 v = physics::spherical_direction(0.02f + 0.98f * a, physics::kTwoPi * b);
-            const vec3 l = physics::spherical_direction(0.02f + 0.98f * c, physics::kTwoPi * dice());
+            const float side = layered.through > 0.0f && i % 2 == 1 ? -1.0f : 1.0f;  // of l
+            const vec3 l = physics::spherical_direction(side * (0.02f + 0.98f * c), physics::kTwoPi * dice());
             float pdf = 0.0f;
             const MaterialPoint point = point_of(layered);
-            const vec3 to = StandardBsdf(point, &albedo_table(), kNormal, v).evaluate(l, pdf) / l.z;
-            const vec3 fro = StandardBsdf(point, &albedo_table(), kNormal, l).evaluate(v, pdf) / v.z;
+            const vec3 to = StandardBsdf(point, &albedo_table(), kNormal, v).evaluate(l, pdf) / std::abs(l.z);
+            const vec3 fro = StandardBsdf(point, &albedo_table(), side * kNormal, l).evaluate(v, pdf) / v.z;
+            EXPECT_GT(to.x + to.y + to.z, 0.0f);
             for (int k = 0; k < 3; ++k)
                 worst = std::max(worst, static_cast<double>(std::abs(to[k] - fro[k]) / std::max(to[k], 1e-6f)));
         }

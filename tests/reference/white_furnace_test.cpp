@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "physics/physics.h"
 #include "scenes.h"
 
 namespace tyndall::reference {
@@ -44,6 +48,48 @@ TEST(WhiteFurnace, StandardMaterialsLayer) {
             expect_white(fmt::format("{} sphere, roughness {}", kind, roughness),
                          before(shape(Primitive::sphere, kUnit, material), true), 512, kLayer);
         }
+}
+
+TEST(WhiteFurnace, Leaves) {
+    // What goes through one wall of a box lights the others from inside, and all of it comes out.
+    for (const float share : {0.3f, 1.0f}) {
+        Material material = white_diffuse();
+        material.diffuse_transmission = share;
+        material.double_sided = true;
+        expect_white(fmt::format("sheet, {} through", share), before(shape(Primitive::plane, kUnit, material)), 256);
+        expect_white(fmt::format("box, {} through", share), before(shape(Primitive::box, kUnit, material)), 1024,
+                     kLayer);
+        material.specular = 1.0f;
+        material.roughness = 0.5f;
+        expect_white(fmt::format("coated sheet, {} through", share), before(shape(Primitive::plane, kUnit, material)),
+                     512, kLayer);
+    }
+}
+
+TEST(Leaves, LitFromBehind) {
+    // E cos(l) t colour / pi: nothing else is in the scene.
+    constexpr float kLux = 3.0f, kShare = 0.6f;
+    const vec3 colour(0.9f, 0.5f, 0.2f);
+    Material material = white_diffuse();
+    material.base_colour = glm::vec4(0.3f, 0.6f, 0.1f, 1.0f);
+    material.diffuse_transmission = kShare;
+    material.diffuse_transmission_colour = colour;
+    material.double_sided = true;
+    for (const float side : {-1.0f, 1.0f}) {
+        RenderScene scene;
+        scene.camera = camera_at({0.4f, 3.0f, 0.2f}, vec3(0.0f), 8.0f);
+        scene.surfaces.push_back(shape(Primitive::plane, kUnit, material));
+        Light sun;
+        sun.kind = LightKind::directional;
+        sun.intensity = vec3(kLux);
+        const glm::vec3 from(1.0f, 2.0f * side, 0.5f);
+        sun.transform = glm::inverse(glm::lookAt(from, vec3(0.0f), vec3(0.0f, 0.0f, 1.0f)));
+        scene.lights.push_back(sun);
+        const float cosine = std::abs(from.y) / glm::length(from);
+        const vec3 albedo = side < 0.0f ? kShare * colour : (1.0f - kShare) * vec3(material.base_colour);
+        expect_near(side < 0.0f ? "leaf lit from behind" : "leaf lit from the front",
+                    measure(scene, square_picture(8, 64), 64), glm::dvec3(albedo * kLux * cosine / physics::kPi), 1e-4);
+    }
 }
 
 RenderScene medium_box(Medium medium) {

@@ -48,6 +48,8 @@ TEST_F(GltfMaterial, EveryFactorArrives) {
            {"KHR_materials_ior", {{"ior", 1.33}}},
            {"KHR_materials_specular", {{"specularFactor", 0.5}, {"specularColorFactor", {0.5, 1, 2}}}},
            {"KHR_materials_transmission", {{"transmissionFactor", 0.9}}},
+           {"KHR_materials_diffuse_transmission",
+            {{"diffuseTransmissionFactor", 0.4}, {"diffuseTransmissionColorFactor", {0.5, 0.25, 0.75}}}},
            {"KHR_materials_volume",
             {{"thicknessFactor", 0.02}, {"attenuationColor", {0.1, 0.2, 0.3}}, {"attenuationDistance", 4}}}}}});
     const auto asset = load(writer);
@@ -68,6 +70,8 @@ TEST_F(GltfMaterial, EveryFactorArrives) {
     EXPECT_FLOAT_EQ(m.specular, 0.5f);
     EXPECT_TRUE(near(m.specular_colour, {0.5f, 1, 2}));
     EXPECT_FLOAT_EQ(m.transmission, 0.9f);
+    EXPECT_FLOAT_EQ(m.diffuse_transmission, 0.4f);
+    EXPECT_TRUE(near(m.diffuse_transmission_colour, {0.5f, 0.25f, 0.75f}));
     EXPECT_FLOAT_EQ(m.thickness_m, 0.02f);
     EXPECT_TRUE(near(m.attenuation_colour, {0.1f, 0.2f, 0.3f}));
     EXPECT_FLOAT_EQ(m.attenuation_distance_m, 4.0f);
@@ -95,7 +99,11 @@ TEST_F(GltfMaterial, ColoursAndDataAreToldApart) {
                      {"occlusionTexture", {{"index", shared}, {"strength", 0.5}}},
                      {"normalTexture", {{"index", shared}, {"scale", 0.25}}},
                      {"emissiveTexture", {{"index", shared}}},
-                     {"extensions", {{"KHR_materials_specular", {{"specularColorTexture", {{"index", shared}}}}}}}});
+                     {"extensions",
+                      {{"KHR_materials_specular", {{"specularColorTexture", {{"index", shared}}}}},
+                       {"KHR_materials_diffuse_transmission",
+                        {{"diffuseTransmissionTexture", {{"index", shared}}},
+                         {"diffuseTransmissionColorTexture", {{"index", shared}}}}}}}});
     const auto asset = load(writer);
     const Material& m = first_material(*asset);
     const TextureAsset& colour = *m.base_colour_texture.texture;
@@ -107,6 +115,8 @@ TEST_F(GltfMaterial, ColoursAndDataAreToldApart) {
     EXPECT_NE(colour.id, data.id);
     EXPECT_EQ(m.emissive_texture.texture.get(), &colour);
     EXPECT_EQ(m.specular_colour_texture.texture.get(), &colour);
+    EXPECT_EQ(m.diffuse_transmission_texture.texture.get(), &data);
+    EXPECT_EQ(m.diffuse_transmission_colour_texture.texture.get(), &colour);
     EXPECT_EQ(m.occlusion_texture.texture.get(), &data) << "one asset for each use, not for each slot";
     EXPECT_EQ(m.normal_texture.texture.get(), &data);
     EXPECT_EQ(m.base_colour_texture.uv_set, 1);

@@ -355,14 +355,17 @@ void PathTracer::light_at_surface(Path& path, const SurfacePoint& point, const B
 
 namespace {
 
-/// A BSDF whose directions agree with the real side of the surface: interpolated and mapped normals may not.
+/// A BSDF whose directions agree with the real sides of the surface: interpolated and mapped normals may not.
 template <class Inner>
-struct OneSided {
+struct OnRealSides {
     const Inner& inner;
     vec3 side;  ///< geometric normal on the path's side
+    [[nodiscard]] bool agrees(const vec3& l) const {
+        return (glm::dot(l, side) > 0.0f) == (glm::dot(l, inner.normal()) > 0.0f);
+    }
     [[nodiscard]] vec3 evaluate(const vec3& l, float& pdf) const {
         pdf = 0.0f;
-        return glm::dot(l, side) > 0.0f ? vec3(inner.evaluate(l, pdf)) : vec3(0.0f);
+        return agrees(l) ? vec3(inner.evaluate(l, pdf)) : vec3(0.0f);
     }
 };
 
@@ -394,11 +397,12 @@ bool PathTracer::meet_standard(Path& path, const Hit& hit, const SurfacePoint& p
     }
     add_emission(path, hit, point);
     if (!settings_.surfaces_scatter || path.order + 1 > settings_.max_order) return false;
-    light_at_surface(path, point, OneSided<StandardBsdf>{bsdf, side}, path.nesting);
+    const OnRealSides<StandardBsdf> real{bsdf, side};
+    light_at_surface(path, point, real, path.nesting);
     if (path.order + 1 >= settings_.max_order && !world_.lights().any_sized()) return false;
     BsdfSample sample;
     const float lobe = path.sampler.next();
-    if (!bsdf.sample(lobe, path.sampler.next2(), sample) || glm::dot(sample.direction, side) <= 0.0f) return false;
+    if (!bsdf.sample(lobe, path.sampler.next2(), sample) || !real.agrees(sample.direction)) return false;
     path.f *= sample.weight;
     if (path.order == 0) path.first = 1;
     ++path.order;

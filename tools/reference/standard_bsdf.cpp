@@ -91,6 +91,13 @@ MaterialPoint material_at(const Material& material, const SurfacePoint& point) {
     m.f90 = layer.f90;
     const bool thin = material.transmission > 0.0f && material.thickness_m <= 0.0f;
     if (thin) m.thin_transmission = material.transmission * sample_slot(material.transmission_texture, point).x;
+    if (material.diffuse_transmission > 0.0f) {
+        const float share = sample_slot(material.diffuse_transmission_texture, point).w;
+        const vec3 colour(sample_slot(material.diffuse_transmission_colour_texture, point));
+        m.diffuse_transmission = glm::clamp(material.diffuse_transmission * share, 0.0f, 1.0f);
+        m.diffuse_transmission_colour =
+            glm::clamp(material.diffuse_transmission_colour * colour, vec3(0.0f), vec3(1.0f));
+    }
     m.normal = point.normal;
     if (material.normal_texture.texture && point.tangent.w != 0.0f) {
         vec3 local = 2.0f * vec3(sample_slot(material.normal_texture, point)) - 1.0f;
@@ -106,13 +113,18 @@ MaterialPoint material_at(const Material& material, const SurfacePoint& point) {
 StandardBsdf::StandardBsdf(const MaterialPoint& material, const GgxAlbedo* albedo, const vec3& normal, const vec3& v)
     : m_(material), table_(albedo), n_(normal), v_(v) {
     nov_ = glm::max(glm::dot(n_, v_), kLeastCosine);
-    base_ = m_.base_colour * (1.0f - m_.metallic) * (1.0f - m_.thin_transmission);
+    const float diffuse = (1.0f - m_.metallic) * (1.0f - m_.thin_transmission);
+    base_ = m_.base_colour * diffuse * (1.0f - m_.diffuse_transmission);
+    through_ = m_.diffuse_transmission_colour * diffuse * m_.diffuse_transmission;
     f0_ = glm::mix(m_.f0, m_.base_colour, m_.metallic);
     f90_ = vec3(glm::mix(m_.f90, 1.0f, m_.metallic));
     if (!table_ || largest(f0_) + largest(f90_) <= 0.0f) {
         table_ = nullptr;
         f0_ = f90_ = vec3(0.0f);
         base_scale_ = base_ * physics::kInversePi;
+        through_scale_ = through_ * physics::kInversePi;
+        const float all = largest(base_) + largest(through_);
+        through_share_ = all > 0.0f ? largest(through_) / all : 0.0f;
         return;
     }
     const vec2 mean = table_->mean(m_.roughness);
@@ -122,13 +134,17 @@ StandardBsdf::StandardBsdf(const MaterialPoint& material, const GgxAlbedo* albed
     const float left = glm::max(1.0f - mean_albedo, 1e-6f);
     multiple_ = glm::mix(dielectric, metal, m_.metallic) * physics::kInversePi / left;
     const vec3 layer_mean = m_.f0 * mean.x + m_.f90 * mean.y + dielectric * (1.0f - mean_albedo);
-    base_scale_ = base_ * (vec3(1.0f) - layer_albedo(nov_)) * physics::kInversePi /
-                  glm::max(vec3(1.0f) - layer_mean, vec3(1e-4f));
+    const vec3 leaves = vec3(1.0f) - layer_albedo(nov_);
+    const vec3 scale = leaves * physics::kInversePi / glm::max(vec3(1.0f) - layer_mean, vec3(1e-4f));
+    base_scale_ = base_ * scale;
+    through_scale_ = through_ * scale;
     const vec2 e = table_->directional(nov_, m_.roughness);
     const float lobe = largest(f0_ * e.x + f90_ * e.y);
-    const float rest = largest(base_ * (vec3(1.0f) - layer_albedo(nov_))) + largest(multiple_) * (1.0f - e.x - e.y);
+    const float through = largest(through_ * leaves);
+    const float rest = largest(base_ * leaves) + largest(multiple_) * (1.0f - e.x - e.y) + through;
     specular_share_ = lobe + rest > 0.0f ? glm::clamp(lobe / (lobe + rest), 0.05f, 0.98f) : 0.0f;
     if (rest <= 0.0f) specular_share_ = 1.0f;
+    through_share_ = rest > 0.0f ? (1.0f - specular_share_) * through / rest : 0.0f;
 }
 
 vec3 StandardBsdf::layer_albedo(float cosine) const {
@@ -146,8 +162,12 @@ vec3 StandardBsdf::base_transmission() const {
 vec3 StandardBsdf::evaluate(const vec3& l, float& pdf) const {
     const float nol = glm::dot(n_, l);
     pdf = 0.0f;
-    if (nol <= 0.0f) return vec3(0.0f);
-    pdf = (1.0f - specular_share_) * nol * physics::kInversePi;
+    if (nol <= 0.0f) {
+        pdf = through_share_ * -nol * physics::kInversePi;
+        if (!table_) return through_scale_ * -nol;
+        return through_scale_ * (vec3(1.0f) - layer_albedo(-nol)) * -nol;
+    }
+    pdf = (1.0f - specular_share_ - through_share_) * nol * physics::kInversePi;
     if (!table_) return base_scale_ * nol;
     const float alpha = physics::ggx_alpha(m_.roughness);
     const vec3 h = glm::normalize(l + v_);
@@ -162,7 +182,8 @@ vec3 StandardBsdf::evaluate(const vec3& l, float& pdf) const {
 }
 
 bool StandardBsdf::sample(float lobe, vec2 xi, BsdfSample& out) const {
-    if (lobe < specular_share_) {
+    const bool through = lobe >= 1.0f - through_share_;
+    if (lobe < specular_share_ && !through) {
         vec3 t, b;
         physics::orthonormal_basis(n_, t, b);
         const vec3 local(glm::dot(v_, t), glm::dot(v_, b), nov_);
@@ -170,8 +191,9 @@ bool StandardBsdf::sample(float lobe, vec2 xi, BsdfSample& out) const {
         const vec3 world = t * h.x + b * h.y + n_ * h.z;
         out.direction = glm::normalize(2.0f * glm::dot(v_, world) * world - v_);
     } else {
-        out.direction = physics::to_frame(physics::sample_cosine_hemisphere(xi), n_);
+        out.direction = physics::to_frame(physics::sample_cosine_hemisphere(xi), through ? -n_ : n_);
     }
+    if ((glm::dot(n_, out.direction) < 0.0f) != through) return false;
     const vec3 value = evaluate(out.direction, out.pdf);
     if (!(out.pdf > 0.0f)) return false;
     out.weight = value / out.pdf;

@@ -36,7 +36,9 @@ struct MaterialPoint {
     glm::vec3 emissive{0.0f};  ///< cd/m2
     glm::vec3 f0{0.04f};       ///< of the dielectric layer
     float f90 = 1.0f;
-    float thin_transmission = 0.0f;      ///< share of the base that lets light pass straight, tinted by the base colour
+    float thin_transmission = 0.0f;     ///< share of the base that lets light pass straight, tinted by the base colour
+    float diffuse_transmission = 0.0f;  ///< share of the rest of the base that lets light through diffusely
+    glm::vec3 diffuse_transmission_colour{1.0f};
     glm::vec3 normal{0.0f, 1.0f, 0.0f};  ///< with the normal map, on the outer side
 };
 [[nodiscard]] MaterialPoint material_at(const Material& material, const SurfacePoint& point);
@@ -49,14 +51,15 @@ struct BsdfSample {
     float pdf = 0.0f;        ///< per steradian; infinite for a mirror
 };
 
-/// Reflection at an opaque point. All directions point away from it, `v` to where the path comes from.
+/// Reflection at a point, and what goes through it diffusely, of which the layers of both sides leave as much as of
+/// the diffuse base. All directions point away from it, `v` to where the path comes from.
 class StandardBsdf {
  public:
     /// `albedo` may be null for a material without a specular layer.
     StandardBsdf(const MaterialPoint& material, const GgxAlbedo* albedo, const glm::vec3& normal, const glm::vec3& v);
     /// f cos(l) per channel, 1/sr; `pdf` is that of `sample`.
     [[nodiscard]] glm::vec3 evaluate(const glm::vec3& l, float& pdf) const;
-    /// False when the sampled direction goes into the surface.
+    /// False when the sampled direction is on the wrong side for its lobe.
     [[nodiscard]] bool sample(float lobe, glm::vec2 xi, BsdfSample& out) const;
     /// Share of light from `v` that meets the base and passes through it straight, for thin glass.
     [[nodiscard]] glm::vec3 base_transmission() const;
@@ -72,7 +75,10 @@ class StandardBsdf {
     glm::vec3 base_{0.0f};            ///< albedo of the diffuse base
     glm::vec3 multiple_{0.0f};        ///< Kulla & Conty's Fresnel factor over pi (1 - mean albedo)
     glm::vec3 base_scale_{0.0f};      ///< base (1 - albedo of the layer at v) / (pi (1 - its mean))
+    glm::vec3 through_{0.0f};         ///< albedo of the base for light to the other side
+    glm::vec3 through_scale_{0.0f};   ///< as base_scale_
     float specular_share_ = 0.0f;     ///< probability of sampling the lobe
+    float through_share_ = 0.0f;      ///< and of sampling the other side
 };
 
 }  // namespace tyndall::reference

@@ -63,6 +63,13 @@ def leaf(x, y):
     return (118, 140, 62, 255 * inside) if vein else (62, 104, 38, 255 * inside)
 
 
+def leaf_through(x, y):
+    """What of light comes through that leaf: yellowish green; little through its veins. Alpha is the share that does."""
+    vein = leaf(x, y)[:3] == (118, 140, 62)
+    shade = 0.9 + 0.1 * noise(x, y)
+    return (96, 110, 40, 110) if vein else (int(150 * shade), int(188 * shade), int(36 * shade), 215)
+
+
 def window(x, y):
     """Panes of coloured glass between leads."""
     if x % 16 < 2 or y % 16 < 2 or x > 61 or y > 61:
@@ -238,6 +245,7 @@ def write_spray(name, count):
 (OUT / "volumes").mkdir(exist_ok=True)
 write_png("tiles.png", 64, 64, tiles)
 write_png("leaf.png", 64, 64, leaf)
+write_png("leaf_through.png", 64, 64, leaf_through)
 write_png("window.png", 64, 64, window)
 write_png("bumps_normal.png", 64, 64, bumps_normal)
 write_png("tilted_normal.png", 16, 16, tilted_normal)

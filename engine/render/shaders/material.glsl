@@ -16,6 +16,7 @@ struct MaterialPoint {
     float occlusion;  // 1 = open
     vec3 emissive;    // cd/m2
     uint model;       // number of the shading model
+    vec3 through;     // share of the base that light from the far side leaves by, where diffuse light goes through
 };
 
 // The interpolated normal on the side that faces the eye.
@@ -72,6 +73,15 @@ MaterialPoint material_at() {
 #endif
 #ifdef SPECULAR_COLOUR_MAP
     specular.rgb *= texture(specular_colour_map, uv_of(6)).rgb;
+#endif
+    point.through = vec3(0.0);
+#ifdef DIFFUSE_TRANSMISSION
+    // The base is what leaves of light from both sides, so that one light buffer times one colour can hold it.
+    vec4 transmission = diffuse_transmission_at();
+    transmission.a *= 1.0 - metallic;
+    vec3 through = transmission.a * transmission.rgb;
+    base.rgb = (1.0 - transmission.a) * base.rgb + through;
+    point.through = through / max(base.rgb, vec3(1e-6));
 #endif
     point.standard =
         standard_material(base.rgb, metallic, material.ior_model.x, specular.w, specular.rgb);

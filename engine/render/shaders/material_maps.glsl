@@ -7,8 +7,9 @@ layout(std140) uniform MaterialBlock {
     vec4 emissive_normal_scale;  // rgb cd/m2
     vec4 metallic_roughness_occlusion_cutoff;
     vec4 specular_colour_weight;
-    vec4 ior_model;    // x index of refraction, y number of the shading model
-    vec4 uv_rows[14];  // two rows a map: xyz = row of the transform, w of the first = UV set
+    vec4 ior_model;             // x index of refraction, y number of the shading model
+    vec4 diffuse_transmission;  // rgb colour of what goes through, a its share
+    vec4 uv_rows[18];           // two rows a map: xyz = row of the transform, w of the first = UV set
 } material;
 
 in vec4 v_uv;
@@ -34,6 +35,12 @@ uniform sampler2D specular_map;
 #ifdef SPECULAR_COLOUR_MAP
 uniform sampler2D specular_colour_map;
 #endif
+#ifdef DIFFUSE_TRANSMISSION_MAP
+uniform sampler2D diffuse_transmission_map;
+#endif
+#ifdef DIFFUSE_TRANSMISSION_COLOUR_MAP
+uniform sampler2D diffuse_transmission_colour_map;
+#endif
 
 // Where map number `map` is looked up.
 vec2 uv_of(int map) {
@@ -53,4 +60,16 @@ vec4 base_colour_at() {
     colour *= texture(base_colour_map, uv_of(0));
 #endif
     return colour;
+}
+
+// Colour and share of the diffuse light that goes through.
+vec4 diffuse_transmission_at() {
+    vec4 through = material.diffuse_transmission;
+#ifdef DIFFUSE_TRANSMISSION_MAP
+    through.a *= texture(diffuse_transmission_map, uv_of(7)).a;
+#endif
+#ifdef DIFFUSE_TRANSMISSION_COLOUR_MAP
+    through.rgb *= texture(diffuse_transmission_colour_map, uv_of(8)).rgb;
+#endif
+    return through;
 }

@@ -99,7 +99,9 @@ void PointsPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::diffusion)
         .reads("scene_depth", "where the surfaces are seen")
         .reads("gbuffer_normal", "toward the eye")
-        .updates("light_diffuse", "light that leaves translucent surfaces in place of what arrives there");
+        .updates("light_diffuse", "light that leaves translucent surfaces in place of what arrives there")
+        .after("skin.transmission_map")  // where that module is loaded: the last of its passes, on pixels of its own
+        .after("skin.texture_space");
 }
 
 void PointsPass::execute(PassContext& context) {
