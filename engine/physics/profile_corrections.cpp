@@ -48,7 +48,7 @@ ProfileCorrections profile_corrections(const glm::vec3& albedo, const glm::vec3&
     for (int c = 0; c < 3; ++c) {
         if (!(albedo[c] < 1.0f)) continue;
         const float x = 1.0f - std::sqrt(std::max(albedo[c], 0.0f));
-        made.drift_m[c] = spread_m[c] / eta * (0.09f + 0.48f * x + 0.5f * x * x * x * x);
+        made.drift_m[c] = 1.55f * spread_m[c] * std::pow(eta, -2.3f) * (0.07f + 0.47f * x + 0.9f * std::pow(x, 6.0f));
         made.limb[c] = limbs.at(albedo[c]);
         made.convex_m[c] = spread_m[c] * (0.15f + 1.65f * x);
     }

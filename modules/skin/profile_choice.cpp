@@ -30,12 +30,14 @@ bool all_from_0(const glm::vec3& value) {
 MadeProfile of_solid(const physics::SolidProfile& solid) {
     MadeProfile made{solid.fit.profile, solid.albedo, solid.fit.error, solid.fit.edge_error, std::nullopt};
     if (!solid.layers.empty()) made.transmittance.emplace(solid.layers);
+    const float eta = solid.layers.empty() ? kSkinIor : float(solid.layers.front().eta);
+    made.corrections =
+        physics::profile_corrections(made.albedo, glm::sqrt(made.profile.mean_square()), std::max(eta, 1.01f));
     return made;
 }
 
 MadeProfile make(const SixGaussiansProfile&) {
-    constexpr glm::vec3 kAlbedo(0.47f, 0.38f, 0.29f);  // of the three layers that they were fitted to
-    return {.profile = physics::six_gaussian_skin(), .albedo = kAlbedo, .transmittance = std::nullopt};
+    return {.profile = physics::six_gaussian_skin(), .transmittance = std::nullopt};
 }
 
 MadeProfile make(const Skin1Profile&) {
@@ -113,10 +115,8 @@ class KeptProfiles {
         const std::scoped_lock lock(mutex_);
         const auto found = std::ranges::find(kept_, choice, &Entry::choice);
         if (found != kept_.end()) return found->made;
-        MadeProfile fresh = std::visit([](const auto& from) { return make(from); }, choice);
-        fresh.corrections =
-            physics::profile_corrections(fresh.albedo, glm::sqrt(fresh.profile.mean_square()), kSkinIor);
-        auto made = std::make_shared<const MadeProfile>(std::move(fresh));
+        auto made =
+            std::make_shared<const MadeProfile>(std::visit([](const auto& from) { return make(from); }, choice));
         kept_.push_front({choice, made});
         if (kept_.size() > kMost) kept_.pop_back();
         return made;

@@ -184,6 +184,68 @@ TEST_F(SkinScreenTest, WidthsAreMillimetresOfTheWorld) {
     }
 }
 
+/// A ball half lit.
+class SkinBallTest : public SkinScreenTest {
+ protected:
+    void load(Engine& engine, const std::string& technique) const {
+        const std::filesystem::path file = folder_ / "ball.json";
+        std::ofstream(file) << fmt::format(
+            R"({{"tyndall": 1, "modules": ["skin"], "render": {{"image": {{"antialiasing": "none"}}}}, "entities": [
+          {{"name": "Camera", "camera": {{"vertical_fov_deg": 20, "exposure": 1, "near_m": 0.001}}}},
+          {{"name": "Sun", "transform": {{"translation": [1, 0.3, 0.2], "look_at": [0, 0, 0]}},
+           "directional_light": {{"illuminance_lux": 3}}}},
+          {{"name": "Ball", "transform": {{"scale": 0.05}}, "mesh": {{"primitive": "sphere"}},
+           "skin": {{"technique": "{}", "transmission": 0}}}}]}})",
+            technique);
+        engine.load_scene(file, {});
+        engine.renderer().retain({"light_diffuse"});
+    }
+    /// Irradiance, seen along the z axis from so far to the right.
+    static Image seen(Engine& engine, float right_m) {
+        View view;
+        view.camera[3] = {right_m, 0.0f, 0.2f, 1.0f};
+        engine.frame(0.0, {128, 128}, view);
+        EXPECT_EQ(engine.problems(), "");
+        return picture(*engine.renderer().target("light_diffuse"));
+    }
+    static double sum(const Image& image) {
+        double total = 0.0;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                for (int c = 0; c < 3; ++c) total += double(image.at(x, y, c));
+        return total;
+    }
+};
+
+TEST_F(SkinBallTest, NothingOfAnotherViewIsSeen) {
+    for (const char* technique : {"two_gaussians", "separable", "disc"}) {
+        Engine first(true), second(true);
+        load(first, technique);
+        load(second, technique);
+        const Image fresh = seen(first, 0.0f);
+        (void)seen(second, -0.004f);
+        const Image after = seen(second, 0.0f);
+        float largest = 0.0f;
+        for (int y = 0; y < fresh.height; ++y)
+            for (int x = 0; x < fresh.width; ++x)
+                largest = std::max(largest, std::abs(after.at(x, y, 0) - fresh.at(x, y, 0)));
+        std::printf("%s: largest difference after another view %g\n", technique, double(largest));
+        EXPECT_LT(largest, 1e-5f) << technique;
+    }
+}
+
+TEST_F(SkinBallTest, AsMuchLightLeavesAsArrives) {
+    Engine engine(true);
+    load(engine, "lambert");
+    const double arrives = sum(seen(engine, 0.0f));
+    for (const char* technique : {"two_gaussians", "separable", "disc"}) {
+        load(engine, technique);
+        const double leaves = sum(seen(engine, 0.0f)) / arrives;
+        std::printf("%s: %.4f of the light that arrives\n", technique, leaves);
+        EXPECT_NEAR(leaves, 1.0, 0.02) << technique;
+    }
+}
+
 /// A white sheet under many suns of one radiance from everywhere.
 class SkinFurnaceTest : public SkinScreenTest {
  protected:

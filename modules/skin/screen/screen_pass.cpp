@@ -128,6 +128,7 @@ const gpu::Program& ScreenPass::begin(PassContext& context, const gpu::ProgramDe
 void ScreenPass::pack(PassContext& context, const std::vector<Group>& groups) {
     static const gpu::ProgramDesc kDesc{.name = "skin.pack", .fragment = "skin/screen/pack.frag"};
     static constexpr std::string_view kTargets[] = {"skin_light", "scene_depth"};
+    static constexpr std::string_view kSpread[] = {"skin_spread", "scene_depth"};
     glm::ivec2 low = groups.front().low, high = groups.front().high;
     float far = 1.0f;
     for (const Group& group : groups) {
@@ -135,8 +136,11 @@ void ScreenPass::pack(PassContext& context, const std::vector<Group>& groups) {
         high = glm::max(high, group.high);
         far = std::min(far, group.far);
     }
-    context.bind_targets(kTargets, -1);
     const std::array<float, 4> nothing{};
+    // taps beyond the silhouette must not find what another view had there
+    context.bind_targets(kSpread, -1);
+    glClearBufferfv(GL_COLOR, 0, nothing.data());
+    context.bind_targets(kTargets, -1);
     glClearBufferfv(GL_COLOR, 0, nothing.data());
     const gpu::Program& program = begin(context, kDesc);
     for (const char* target : {"scene_depth", "light_diffuse"})

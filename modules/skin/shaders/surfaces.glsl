@@ -16,7 +16,7 @@ struct SkinSurface {
 
 /// Of the light that leaves, what leaves at a cosine, over even light.
 vec3 skin_limb(SkinSurface skin, float cosine) {
-    return 1.0 + skin.limb * (2.0 / 3.0 - cosine);
+    return 1.0 + skin.limb * (0.5 - cosine * cosine);
 }
 
 SkinSurface skin_surface(float number) {
