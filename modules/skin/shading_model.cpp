@@ -34,7 +34,7 @@ Technique light_pass(Technique technique) {
 }
 
 bool is_corrected(Technique technique) {
-    return technique != Technique::lambert && technique != Technique::wrap && technique != Technique::blurred_normals;
+    return technique >= Technique::preintegrated;
 }
 
 gpu::Texture table(const std::vector<glm::vec4>& texels, int width, int height, const char* name) {

@@ -164,6 +164,7 @@ std::string TextureSpacePass::state_of(PassContext& context, const Drawn& drawn)
     append_state(state, drawn.surface.material->id);
     append_state(state, drawn.pre_scatter);
     for (const physics::DiffusionLobe& lobe : drawn.profile.lobes) append_state(state, lobe);
+    append_state(state, drawn.surface.diffusion->corrections);
     for (size_t i = 0; i < frame.scene.lights.size(); ++i) append_light_state(state, frame, i, maps_.frame());
     append_surroundings_state(state, frame, maps_.frame());
     // how sharp slides are drawn goes by their size in the picture

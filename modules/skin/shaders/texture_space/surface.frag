@@ -35,6 +35,7 @@ void main() {
     light *= pow(colour, vec3(-pre_scatter));
 #endif
 #endif
-    float cosine = max(dot(decode_surface_point(texelFetch(gbuffer_surface, pixel, 0)).normal, -eye_ray(gl_FragCoord.xy / frame.size_time.xy)), 0.0);
+    vec3 normal = decode_surface_point(texelFetch(gbuffer_surface, pixel, 0)).normal;
+    float cosine = max(dot(normal, -eye_ray(gl_FragCoord.xy / frame.size_time.xy)), 0.0);
     light_diffuse = vec4(light * skin_limb(skin_surface(number), cosine), 0.0);
 }
