@@ -216,6 +216,14 @@ vec3 MediaRay::transmittance(float end, Sampler& sampler) const {
     return glm::exp(-depth) * ratio;
 }
 
+float MediaRay::Stretch::mass() const {
+    return transmittance * -std::expm1(-sigma * length());
+}
+
+float MediaRay::Stretch::place_of(float lost) const {
+    return std::min(from - std::log1p(-std::min(lost / transmittance, 0.9999999f)) / sigma, to);
+}
+
 void MediaRay::stretches(float begin, float end, std::vector<Stretch>& out) const {
     out.clear();
     float depth = 0.0f;

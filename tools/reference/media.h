@@ -86,6 +86,11 @@ class MediaRay {
         float from = 0.0f, to = 0.0f;
         float sigma = 0.0f;          ///< about the extinction, mean of the channels
         float transmittance = 1.0f;  ///< about, from the ray's start to `from`
+        [[nodiscard]] float length() const { return to - from; }
+        /// What of the light that began at the ray's start is lost here.
+        [[nodiscard]] float mass() const;
+        /// Where `lost` of it is lost, 0 to mass().
+        [[nodiscard]] float place_of(float lost) const;
     };
 
     explicit MediaRay(const Ray& ray) : ray_(ray) {}

@@ -29,6 +29,15 @@ float power_weight(float a, float b) {
     return 1.0f / (1.0f + r * r);
 }
 
+/// Density of physics::sample_equi_angular at `t`, 1/m.
+float equi_angular_pdf(float t, float t0, float t1, const Ray& ray, const vec3& centre) {
+    const vec3 offset = centre - ray.origin;
+    const float foot = glm::dot(offset, ray.direction);
+    const float d = std::max(glm::length(offset - foot * ray.direction), 1e-3f);
+    const float range = std::atan((t1 - foot) / d) - std::atan((t0 - foot) / d);
+    return d / (range * (d * d + (t - foot) * (t - foot)));
+}
+
 }  // namespace
 
 struct PathTracer::Path {
@@ -161,45 +170,56 @@ bool PathTracer::step_inside(Path& path, const MediumVolume& medium) const {
 
 // Media ------------------------------------------------------------------------------------------------------------
 
+namespace {
+
+/// Where `wanted` of the light that all stretches take is taken.
+float place_at(const std::vector<MediaRay::Stretch>& stretches, float wanted) {
+    for (const MediaRay::Stretch& s : stretches) {
+        if (wanted < s.mass()) return s.place_of(wanted);
+        wanted -= s.mass();
+    }
+    return stretches.back().to;
+}
+/// Where `wanted` metres of them have passed.
+float place_along(const std::vector<MediaRay::Stretch>& stretches, float wanted) {
+    for (const MediaRay::Stretch& s : stretches) {
+        if (wanted < s.length()) return s.from + wanted;
+        wanted -= s.length();
+    }
+    return stretches.back().to;
+}
+
+}  // namespace
+
 float PathTracer::draw_distance(Path& path, const MediaRay& media, size_t light, float t0, float t1, float& pdf) const {
     media.stretches(t0, t1, path.stretches);
-    float mass = 0.0f;
-    for (const MediaRay::Stretch& s : path.stretches) mass += s.transmittance * -std::expm1(-s.sigma * (s.to - s.from));
+    float mass = 0.0f, length = 0.0f;
+    for (const MediaRay::Stretch& s : path.stretches) mass += s.mass(), length += s.length();
     pdf = 0.0f;
     if (!(mass > 0.0f)) return t0;
+    // Half of all look where the light is near; or, for light from afar in uneven media, anywhere: it may fall where
+    // the medium is thinnest.
     const Lights& lights = world_.lights();
-    const bool near = lights.positional(light);
-    vec2 xi = path.sampler.next2();
-    float t = t0, angular = 0.0f;
+    const bool near = lights.positional(light), uneven = path.stretches.size() > 1;
     const vec3 centre = near ? lights.position(light) : vec3(0.0f);
-    const bool by_angle = near && xi.y < 0.5f;
-    if (by_angle) {
+    vec2 xi = path.sampler.next2();
+    float t = t0;
+    if (xi.y >= 0.5f || !(near || uneven)) {
+        t = place_at(path.stretches, xi.x * mass);
+    } else if (near) {
+        float angular = 0.0f;
         t = physics::sample_equi_angular(xi.x, t0, t1, path.ray.origin, path.ray.direction, centre, angular);
     } else {
-        float wanted = xi.x * mass;
-        for (const MediaRay::Stretch& s : path.stretches) {
-            const float part = s.transmittance * -std::expm1(-s.sigma * (s.to - s.from));
-            t = std::min(s.from - std::log1p(-std::min(wanted / s.transmittance, 0.9999999f)) / s.sigma, s.to);
-            if (wanted < part) break;
-            wanted -= part;
-        }
+        t = place_along(path.stretches, xi.x * length);
     }
-    float even = 0.0f;
-    for (const MediaRay::Stretch& s : path.stretches)
-        if (t >= s.from && t <= s.to) {
-            even = s.sigma * s.transmittance * std::exp(-s.sigma * (t - s.from)) / mass;
-            break;
-        }
-    if (!near) {
-        pdf = even;
-    } else {
-        const vec3 offset = centre - path.ray.origin;
-        const float foot = glm::dot(offset, path.ray.direction);
-        const float d = std::max(glm::length(offset - foot * path.ray.direction), 1e-6f);
-        const float range = std::atan((t1 - foot) / d) - std::atan((t0 - foot) / d);
-        angular = d / (range * (d * d + (t - foot) * (t - foot)));
-        pdf = 0.5f * (even + angular);
-    }
+    const auto here = std::find_if(path.stretches.begin(), path.stretches.end(),
+                                   [&](const MediaRay::Stretch& s) { return t >= s.from && t <= s.to; });
+    const bool inside = here != path.stretches.end();
+    pdf = inside ? here->sigma * here->transmittance * std::exp(-here->sigma * (t - here->from)) / mass : 0.0f;
+    if (near)
+        pdf = 0.5f * (pdf + equi_angular_pdf(t, t0, t1, path.ray, centre));
+    else if (uneven)
+        pdf = 0.5f * (pdf + (inside ? 1.0f / length : 0.0f));
     return t;
 }
 
