@@ -154,7 +154,12 @@ const std::vector<Medium>& MediaBuffer::update(const RenderScene& scene, const M
     Blocks blocks;
     media_.clear();
     even_ = true;
-    for (const Medium* medium : shown) add(blocks, *medium, medium_box(*medium, scene), scene.time_s);
+    bounds_ = {};
+    for (const Medium* medium : shown) {
+        const glm::mat4 box = medium_box(*medium, scene);
+        add(blocks, *medium, box, scene.time_s);
+        bounds_.merge(Bounds{glm::vec3(-0.5f), glm::vec3(0.5f)}.transformed(box));
+    }
     plan_.update(scene, media_, settings);
     if (!media_.empty() && has_environment(scene)) environment_.update(scene, media_);
     const std::string_view media_bytes(reinterpret_cast<const char*>(blocks.media.data()),

@@ -32,6 +32,8 @@ class MediaBuffer {
     const std::vector<Medium>& update(const RenderScene& scene, const MediaSettings& settings);
     [[nodiscard]] const std::vector<Medium>& media() const { return media_; }
     [[nodiscard]] const SolverPlan& plan() const { return plan_; }
+    /// Around all media, in the world.
+    [[nodiscard]] const Bounds& bounds() const { return bounds_; }
     /// Light from all around; up to date when the plan has a term of it.
     [[nodiscard]] const EnvironmentLight& environment() const { return environment_; }
     /// Changes when something that is uploaded of the media does.
@@ -57,6 +59,7 @@ class MediaBuffer {
     std::vector<Medium> media_;
     SolverPlan plan_;
     EnvironmentLight environment_;
+    Bounds bounds_;
     bool even_ = true;
     std::string uploaded_;  ///< the buffers' bytes
     std::set<std::string, std::less<>> warned_;

@@ -27,7 +27,7 @@ void AccumulatePass::execute(PassContext& context) {
     const gpu::Program& program = context.frame().shaders.program(kDesc);
     program.use();
     bind_frame(program, context.frame());
-    MarchTerms::bind_ray(program, context, pixel_step(settings_.resolution));
+    MarchTerms::bind_ray(program, context, media_->bounds(), pixel_step(settings_.resolution));
     program.texture("marched", marched, {.filter = gpu::Filter::nearest});
     program.texture("before", previous != nullptr ? *previous : marched, {.filter = gpu::Filter::linear});
     program.set("frames", previous != nullptr ? terms_->history().frames() : 0);

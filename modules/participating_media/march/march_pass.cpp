@@ -69,7 +69,7 @@ void FilterPass::execute(PassContext& context) {
     const gpu::Program& program = context.frame().shaders.program(kDesc);
     program.use();
     bind_frame(program, context.frame());
-    MarchTerms::bind_ray(program, context, pixel_step(settings_.resolution));
+    MarchTerms::bind_ray(program, context, media_->bounds(), pixel_step(settings_.resolution));
     program.texture("marched", context.texture(found_grainy(settings_)), {.filter = gpu::Filter::nearest});
     gpu::draw_fullscreen();
 }
@@ -107,7 +107,7 @@ void GatherPass::draw(PassContext& context, const gpu::ProgramDesc& desc) {
     const gpu::Program& program = context.frame().shaders.program(desc);
     program.use();
     bind_frame(program, context.frame());
-    MarchTerms::bind_ray(program, context, pixel_step(settings_.resolution));
+    MarchTerms::bind_ray(program, context, media_->bounds(), pixel_step(settings_.resolution));
     program.texture("marched", context.texture(found(settings_)), {.filter = gpu::Filter::nearest});
     gpu::draw_fullscreen();
 }
@@ -136,16 +136,13 @@ void GatherPass::add_shares(PassContext& context) {
                                           .compute = "participating_media/march/shares.comp",
                                           .defines = {"GUIDE_ONLY"}};
     constexpr std::array<std::string_view, 1> kTargets{"media_in_scatter"};
-    const glm::ivec2 size = context.size();
     const gpu::Program& program = context.frame().shaders.program(kShares);
     program.use();
     bind_frame(program, context.frame());
-    MarchTerms::bind_ray(program, context, pixel_step(settings_.resolution));
-    program.image("marched", context.texture(found(settings_)), 0, false);
+    terms_->bind_shares(program, context, context.texture(found(settings_)), list_);
     program.image("media_in_scatter", context.texture("media_in_scatter"), 0, true);
     program.image("media_shares", context.texture("media_shares"), 0, true);
-    program.block("UnknownPixels", list_);
-    glDispatchCompute(static_cast<GLuint>((size.x + 7) / 8), static_cast<GLuint>((size.y + 7) / 8), 1);
+    MarchTerms::dispatch_shares(context.size(), pixel_step(settings_.resolution));
     glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     // what is added leaves the alpha alone: a distance
     context.bind_targets(kTargets, -1);

@@ -91,7 +91,7 @@ void MarchTerms::draw(PassContext& context, Way way) {
 
 void MarchTerms::draw_or_dispatch(glm::ivec2 size) const {
     if (way_ == Way::spread) {
-        glDispatchCompute(static_cast<GLuint>((size.x + 7) / 8), static_cast<GLuint>((size.y + 7) / 8), 1);
+        dispatch_shares(size, pixel_step(settings_.resolution));
         return;
     }
     if (way_ != Way::listed) {
@@ -100,6 +100,19 @@ void MarchTerms::draw_or_dispatch(glm::ivec2 size) const {
     }
     glDispatchComputeIndirect(0);
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+void MarchTerms::bind_shares(const gpu::Program& program, PassContext& context, const gpu::Texture& marched,
+                             const gpu::Buffer& list) const {
+    bind_ray(program, context, media_->bounds(), pixel_step(settings_.resolution));
+    program.image("marched", marched, 0, false);
+    program.block("UnknownPixels", list);
+}
+
+void MarchTerms::dispatch_shares(glm::ivec2 size, int pixel_step) {
+    // one invocation for each place between four marched pixels, whose middles are half a step from the frame's edge
+    const glm::ivec2 groups = ((size - 1 - pixel_step / 2) / pixel_step + 2 + 7) / 8;
+    glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
 }
 
 void MarchTerms::draw_glow(PassContext& context, Term::Source source, int medium) {
@@ -145,16 +158,15 @@ int MarchTerms::steps() const {
 }
 
 void MarchTerms::bind(const gpu::Program& program, PassContext& context) const {
-    bind_ray(program, context, way_ == Way::spread ? pixel_step(settings_.resolution) : step());
+    bind_ray(program, context, media_->bounds(), step());
     program.set("least_transmittance", settings_.least_transmittance);
     if (way_ == Way::guide_only) {
         program.texture("media_shares", context.texture("media_shares"), {.filter = gpu::Filter::nearest});
         return;
     }
     if (way_ == Way::spread) {
-        program.image("marched", *marched_, 0, false);
+        bind_shares(program, context, *marched_, *list_);
         program.image("media_in_scatter", context.texture("media_in_scatter"), 0, true);
-        program.block("UnknownPixels", *list_);
         return;
     }
     if (way_ == Way::listed) {
@@ -171,10 +183,12 @@ void MarchTerms::bind(const gpu::Program& program, PassContext& context) const {
     program.set("fixed_offset", settings_.jitter ? -1.0f : 0.5f);
 }
 
-void MarchTerms::bind_ray(const gpu::Program& program, PassContext& context, int pixel_step) {
+void MarchTerms::bind_ray(const gpu::Program& program, PassContext& context, const Bounds& media, int pixel_step) {
     program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
     program.set("pixel_step", pixel_step);
     program.set("farthest", kFarthest);
+    program.set("media_low", media.low);
+    program.set("media_high", media.high);
 }
 
 }  // namespace tyndall::participating_media

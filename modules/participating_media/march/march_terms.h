@@ -36,7 +36,12 @@ class MarchTerms {
     /// What of the last frames holds; only with "temporal".
     [[nodiscard]] const MarchHistory& history() const { return history_; }
     /// Sets what shaders/march/ray.glsl declares.
-    static void bind_ray(const gpu::Program& program, PassContext& context, int pixel_step);
+    static void bind_ray(const gpu::Program& program, PassContext& context, const Bounds& media, int pixel_step);
+    /// Sets what shaders/march/shares.glsl declares, but for `media_in_scatter`.
+    void bind_shares(const gpu::Program& program, PassContext& context, const gpu::Texture& marched,
+                     const gpu::Buffer& list) const;
+    /// Starts a program that has its spread_shares() over a frame of this size.
+    static void dispatch_shares(glm::ivec2 size, int pixel_step);
 
  private:
     /// main.glsl's.

@@ -21,13 +21,11 @@ void main() {
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f) writeonly uniform image2D media_in_scatter;
 
-void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, ivec2(frame.size_time.xy)))) return;
-    float depth = texelFetch(scene_depth, pixel, 0).r;
-    float metres = depth > 0.0 ? eye_distance(pixel_uv(pixel), depth) : farthest;
-    imageStore(media_in_scatter, pixel, vec4(share_of(pixel, depth) * march_pixel(pixel, pixel).a, metres));
+void write_pixel(ivec2 pixel, vec3 share) {
+    imageStore(media_in_scatter, pixel, vec4(share * march_pixel(pixel, pixel).a, pixel_metres(pixel)));
 }
+
+void main() { spread_shares(); }
 #else
 #ifdef GUIDE_ONLY
 uniform sampler2D media_shares;  // rgb light over its guide

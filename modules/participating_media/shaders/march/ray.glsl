@@ -1,9 +1,11 @@
 // Which ray a marched pixel stands for, and how far it goes.
+#include "physics/intersect.glsl"
 #include "render/shaders/frame.glsl"
 
 uniform sampler2D scene_depth;
 uniform int pixel_step;  // full-resolution pixels from one marched pixel to the next
 uniform float farthest;  // metres; rays that hit nothing end here
+uniform vec3 media_low, media_high;  // all media lie between them
 
 /// The full-resolution pixel in the middle of those that a marched pixel stands for.
 ivec2 marched_pixel(ivec2 marched) {
@@ -16,4 +18,14 @@ vec2 pixel_uv(ivec2 pixel) { return (vec2(pixel) + 0.5) / frame.size_time.xy; }
 float pixel_metres(ivec2 pixel) {
     float depth = texelFetch(scene_depth, pixel, 0).r;
     return depth > 0.0 ? eye_distance(pixel_uv(pixel), depth) : farthest;
+}
+
+/// The depth by which pixels are told apart: that of the surface or, where media end before it, of their end. What lies behind a
+/// cloud makes no silhouette in it.
+float reached_depth(ivec2 pixel) {
+    float depth = texelFetch(scene_depth, pixel, 0).r;
+    vec2 uv = pixel_uv(pixel);
+    float t0 = 0.0, t1 = farthest;
+    bool ends = clip_to_box(frame.eye_near.xyz, eye_ray(uv), media_low, media_high, t0, t1) && t1 < farthest;
+    return ends ? max(depth, eye_distance(uv, 1.0) / t1) : depth;  // depths are one over metres
 }
