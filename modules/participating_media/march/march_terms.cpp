@@ -177,7 +177,6 @@ void MarchTerms::bind(const gpu::Program& program, PassContext& context) const {
                     {.filter = gpu::Filter::nearest, .wrap_u = gpu::Wrap::repeat, .wrap_v = gpu::Wrap::repeat});
     if (skips_dark_) shadow_mips_.bind(program);
     program.set("steps", steps());
-    program.set("once", 1);
     const bool moves = settings_.temporal && way_ == Way::marched;
     program.set("frame_offset", moves ? static_cast<float>(context.frame().scene.frame % 1024) * 0.61803399f : 0.0f);
     program.set("fixed_offset", settings_.jitter ? -1.0f : 0.5f);

@@ -37,7 +37,8 @@ vec3 segment_term(ivec3 term, vec3 origin, vec3 direction, float t0, float t1, f
     vec3 to_eye = media_transmittance(origin, direction, 0.0, t0);
     vec3 sum = vec3(0.0);
     float reached = t0;
-    for (int i = 0; i < segment_steps; ++i) {
+    int i = 0;
+    do {
         float at = from + (float(i) + offset) * step_size;
         float tangent = angles ? tan(at) : 0.0;
         float t = angles ? clamp(closest + passing * tangent, t0, t1) : at;
@@ -45,14 +46,14 @@ vec3 segment_term(ivec3 term, vec3 origin, vec3 direction, float t0, float t1, f
         to_eye *= exp(-media_optical_depth(origin, direction, reached, t, 1));
         reached = t;
         sum += to_eye * segment_source(term.x, term.y, origin + t * direction, direction, metres) * metres;
-    }
+    } while (++i < segment_steps);
     return sum;
 }
 
 vec3 in_scatter_before(vec2 uv, vec3 direction, float metres) {
     float per_metre = -(frame.view * vec4(direction, 0.0)).z;
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < froxels_active; ++i) sum = froxel_in_scatter(uv, min(metres * per_metre, froxel_depths.w));
+    if (froxels_active != 0) sum = froxel_in_scatter(uv, min(metres * per_metre, froxel_depths.w));
     float offset = interleaved_gradient_noise(uv * frame.size_time.xy);
     for (int i = 0; i < segment_term_count; ++i) {
         float begin = segment_terms[i].z == 1 ? froxel_depths.w / per_metre : 0.0;

@@ -28,7 +28,8 @@ vec3 march(Ray ray, float end) {
     float jitter = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));  // Jimenez 2014
     vec3 before = media_transmittance(ray.origin, ray.direction, 0.0, t0), sum = vec3(0.0);
     float reached = t0;
-    for (int i = 0; i < steps; ++i) {
+    int i = 0;
+    do {
         float v = low + (float(i) + jitter) * width;
         float t = LIGHT_KIND == 2 ? v : clamp(closest + passing * tan(v), t0, t1);
         float offset = t - closest;
@@ -36,7 +37,7 @@ vec3 march(Ray ray, float end) {
         before *= exp(-media_optical_depth(ray.origin, ray.direction, reached, t, 1));
         reached = t;
         sum += source(ray, t) * before * metres;
-    }
+    } while (++i < steps);
     return media[medium].sigma_s_phase.rgb * sum;
 }
 
@@ -65,7 +66,6 @@ void main() {
         }
     }
     vec3 result = sum / total;
-    int marched = best > threshold || brute_force != 0 ? 1 : 0;
-    for (int i = 0; i < marched; ++i) result = march(Ray(frame.eye_near.xyz, eye_ray(uv)), metres);
+    if (best > threshold || brute_force != 0) result = march(Ray(frame.eye_near.xyz, eye_ray(uv)), metres);
     in_scatter = vec4(result, 0.0);
 }

@@ -12,13 +12,14 @@ vec3 march(vec3 origin, vec3 direction, float t0, float t1, float offset) {
     vec3 to_eye = media_transmittance(origin, direction, 0.0, t0);
     float reached = t0;
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < steps && largest(to_eye) >= least_transmittance; ++i) {
+    int i = 0;
+    do {
         float t = t0 + (float(i) + offset) * ds;
         vec3 p = origin + direction * t;
         to_eye *= exp(-media_optical_depth(origin, direction, reached, t, 1));
         reached = t;
         sum += medium_density(medium, p, ds) * medium_emission(medium, p) * to_eye * ds;
-    }
+    } while (++i < steps && largest(to_eye) >= least_transmittance);
     return sum;
 }
 #endif
@@ -30,7 +31,7 @@ vec4 march_pixel(ivec2 pixel, ivec2 noise_at) {
     float t0 = 0.0, t1 = pixel_metres(pixel);
     if (!clip_to_medium(medium, origin, direction, t0, t1)) return vec4(0.0);
     float guide = luminance_rec709(media[medium].emission_even.rgb) * (t1 - t0);
-    for (int k = 0; k < int(min(media[medium].temperature_size.x, 1.0)); ++k)
+    if (media[medium].temperature_size.x > 0.0)
         guide += luminance_rec709(media[medium].sigma_a.rgb * black_body_radiance(kGuideKelvin)) * (t1 - t0);
 #ifdef GUIDE_ONLY
     return vec4(vec3(0.0), guide);

@@ -4,7 +4,6 @@
 #include "participating_media/march/guide.glsl"
 
 uniform int medium;
-uniform int once;  // 1: a loop that may be left out
 
 const int kSteps = 4;
 
@@ -18,7 +17,7 @@ vec3 march(vec3 origin, vec3 direction, float t0, float t1, float offset) {
         vec3 step_depth = media_optical_depth(origin, direction, begin, begin + ds, 4);
         vec3 p = origin + direction * (begin + offset * ds);
         float amount = medium_density(medium, p) * environment_share(p);
-        for (int k = 0; k < (amount > 0.0 ? once : 0); ++k)
+        if (amount > 0.0)
             sum += amount * environment_transmittance(p) * before * mean_transmittance(step_depth) * ds;
         before *= exp(-step_depth);
     }
