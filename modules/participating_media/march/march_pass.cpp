@@ -10,8 +10,6 @@
 namespace tyndall::participating_media {
 namespace {
 
-constexpr std::string_view kFilterShader = "participating_media/march/filter.frag";
-
 bool below_full(const MediaSettings& settings) {
     return settings.resolution != Resolution::full;
 }
@@ -28,6 +26,17 @@ std::string found_grainy(const MediaSettings& settings) {
 /// What the gathering pass reads.
 std::string found(const MediaSettings& settings) {
     return filters_apart(settings) ? "media_marched_filtered" : found_grainy(settings);
+}
+
+std::string media_end(const MediaBuffer& media) {
+    return MarchTerms::media_end(media.bounds()) ? "MEDIA_END 1" : "MEDIA_END 0";
+}
+
+/// Pixels up to `radius` away are filtered together.
+gpu::ProgramDesc filter(const MediaBuffer& media, int radius) {
+    return {.name = "participating_media.filter",
+            .fragment = "participating_media/march/filter.frag",
+            .defines = {fmt::format("RADIUS {}", radius), media_end(media)}};
 }
 
 }  // namespace
@@ -62,11 +71,9 @@ void FilterPass::declare(PassDeclaration& declaration) {
 }
 
 void FilterPass::execute(PassContext& context) {
-    static const gpu::ProgramDesc kDesc{
-        .name = "participating_media.filter", .fragment = std::string(kFilterShader), .defines = {"RADIUS 1"}};
     if (!media_->plan().uses(Solver::ray_marched)) return;
     context.bind_targets();
-    const gpu::Program& program = context.frame().shaders.program(kDesc);
+    const gpu::Program& program = context.frame().shaders.program(filter(*media_, 1));
     program.use();
     bind_frame(program, context.frame());
     MarchTerms::bind_ray(program, context, media_->bounds(), pixel_step(settings_.resolution));
@@ -87,12 +94,6 @@ void GatherPass::declare(PassDeclaration& declaration) {
 void GatherPass::execute(PassContext& context) {
     static const gpu::ProgramDesc kNothing{.name = "participating_media.distance",
                                            .fragment = "participating_media/march/distance.frag"};
-    static const gpu::ProgramDesc kFilter{.name = "participating_media.filter",
-                                          .fragment = std::string(kFilterShader),
-                                          .defines = {"RADIUS 1", "AT_FULL_RESOLUTION"}};
-    static const gpu::ProgramDesc kCopy{.name = "participating_media.copy",
-                                        .fragment = std::string(kFilterShader),
-                                        .defines = {"RADIUS 0", "AT_FULL_RESOLUTION"}};
     const bool marched = media_->plan().uses(Solver::ray_marched);
     if (marched && below_full(settings_)) {
         upsample(context);
@@ -100,7 +101,9 @@ void GatherPass::execute(PassContext& context) {
     }
     constexpr std::array<std::string_view, 1> kTargets{"media_in_scatter"};
     context.bind_targets(kTargets, -1);
-    draw(context, !marched ? kNothing : settings_.filter ? kFilter : kCopy);
+    gpu::ProgramDesc all = filter(*media_, settings_.filter ? 1 : 0);
+    all.defines.emplace_back("AT_FULL_RESOLUTION");
+    draw(context, marched ? all : kNothing);
 }
 
 void GatherPass::draw(PassContext& context, const gpu::ProgramDesc& desc) {
@@ -132,11 +135,11 @@ void GatherPass::upsample(PassContext& context) {
 }
 
 void GatherPass::add_shares(PassContext& context) {
-    static const gpu::ProgramDesc kShares{.name = "participating_media.shares",
-                                          .compute = "participating_media/march/shares.comp",
-                                          .defines = {"GUIDE_ONLY"}};
+    const gpu::ProgramDesc shares{.name = "participating_media.shares",
+                                  .compute = "participating_media/march/shares.comp",
+                                  .defines = {"GUIDE_ONLY", media_end(*media_)}};
     constexpr std::array<std::string_view, 1> kTargets{"media_in_scatter"};
-    const gpu::Program& program = context.frame().shaders.program(kShares);
+    const gpu::Program& program = context.frame().shaders.program(shares);
     program.use();
     bind_frame(program, context.frame());
     terms_->bind_shares(program, context, context.texture(found(settings_)), list_);

@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+
 #include "light_rectangle.h"
 #include "media_textures.h"
 #include "render/frame.h"
@@ -42,7 +44,7 @@ MarchTerms::MarchTerms(std::shared_ptr<MediaBuffer> media, const MediaSettings& 
       settings_(settings),
       programs_{MediaPrograms(describe(Way::marched, "march"), {"SHADOW_MIPS"}),
                 MediaPrograms(describe(Way::guide_only, "march"), {"SHADOW_MIPS"}),
-                MediaPrograms(describe(Way::spread, "march"), {"SHADOW_MIPS"}),
+                MediaPrograms(describe(Way::spread, "march"), {"SHADOW_MIPS", "MEDIA_END"}),
                 MediaPrograms(describe(Way::listed, "march"), {"SHADOW_MIPS"})} {}
 
 void MarchTerms::march(PassContext& context) {
@@ -134,7 +136,7 @@ void MarchTerms::draw_light(PassContext& context, size_t light, int medium) {
     if (rectangle.empty() && way_ != Way::spread) return;  // spread writes every pixel
     const PhaseKind phase = media_->media()[static_cast<size_t>(medium)].phase.kind;
     const gpu::Program& program = programs_.at(static_cast<size_t>(way_))
-                                      .of(phase, {skips_dark_ ? 1 : 0})
+                                      .of(phase, {skips_dark_ ? 1 : 0, way_ == Way::spread && media_end(media_->bounds()) ? 1 : 0})
                                       .use(frame, light, [&](const gpu::Program& fresh) {
                                           bind_light_source(fresh, context, *media_, settings_.light_steps);
                                           bind(fresh, context);
@@ -182,10 +184,16 @@ void MarchTerms::bind(const gpu::Program& program, PassContext& context) const {
     program.set("fixed_offset", settings_.jitter ? -1.0f : 0.5f);
 }
 
+bool MarchTerms::media_end(const Bounds& media) {
+    const glm::vec3 size = media.size();
+    return std::max(size.x, std::max(size.y, size.z)) < kFarthest;
+}
+
 void MarchTerms::bind_ray(const gpu::Program& program, PassContext& context, const Bounds& media, int pixel_step) {
     program.texture("scene_depth", context.texture("scene_depth"), {.filter = gpu::Filter::nearest});
     program.set("pixel_step", pixel_step);
     program.set("farthest", kFarthest);
+    if (!media_end(media)) return;
     program.set("media_low", media.low);
     program.set("media_high", media.high);
 }

@@ -35,6 +35,8 @@ class MarchTerms {
     void march_listed(PassContext& context, const gpu::Buffer& list);
     /// What of the last frames holds; only with "temporal".
     [[nodiscard]] const MarchHistory& history() const { return history_; }
+    /// Whether rays leave the box around all media before they end: what ray.glsl calls MEDIA_END.
+    static bool media_end(const Bounds& media);
     /// Sets what shaders/march/ray.glsl declares.
     static void bind_ray(const gpu::Program& program, PassContext& context, const Bounds& media, int pixel_step);
     /// Sets what shaders/march/shares.glsl declares, but for `media_in_scatter`.

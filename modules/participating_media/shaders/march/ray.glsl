@@ -5,7 +5,12 @@
 uniform sampler2D scene_depth;
 uniform int pixel_step;  // full-resolution pixels from one marched pixel to the next
 uniform float farthest;  // metres; rays that hit nothing end here
-uniform vec3 media_low, media_high;  // all media lie between them
+#ifndef MEDIA_END
+#define MEDIA_END 0  // 1: all media are in a box, and rays leave it
+#endif
+#if MEDIA_END == 1
+uniform vec3 media_low, media_high;
+#endif
 
 /// The full-resolution pixel in the middle of those that a marched pixel stands for.
 ivec2 marched_pixel(ivec2 marched) {
@@ -24,8 +29,11 @@ float pixel_metres(ivec2 pixel) {
 /// cloud makes no silhouette in it.
 float reached_depth(ivec2 pixel) {
     float depth = texelFetch(scene_depth, pixel, 0).r;
+#if MEDIA_END == 1
     vec2 uv = pixel_uv(pixel);
     float t0 = 0.0, t1 = farthest;
-    bool ends = clip_to_box(frame.eye_near.xyz, eye_ray(uv), media_low, media_high, t0, t1) && t1 < farthest;
-    return ends ? max(depth, eye_distance(uv, 1.0) / t1) : depth;  // depths are one over metres
+    bool crossed = clip_to_box(frame.eye_near.xyz, eye_ray(uv), media_low, media_high, t0, t1);
+    depth = crossed ? max(depth, eye_distance(uv, 1.0) / t1) : depth;  // depths are one over metres
+#endif
+    return depth;
 }
