@@ -135,8 +135,9 @@ void MarchTerms::draw_light(PassContext& context, size_t light, int medium) {
     const ScreenRectangle rectangle = light_rectangle(frame.scene.lights[light], frame.block.view_projection, size);
     if (rectangle.empty() && way_ != Way::spread) return;  // spread writes every pixel
     const PhaseKind phase = media_->media()[static_cast<size_t>(medium)].phase.kind;
+    const bool ends = way_ == Way::spread && media_end(media_->bounds());
     const gpu::Program& program = programs_.at(static_cast<size_t>(way_))
-                                      .of(phase, {skips_dark_ ? 1 : 0, way_ == Way::spread && media_end(media_->bounds()) ? 1 : 0})
+                                      .of(phase, {skips_dark_ ? 1 : 0, ends ? 1 : 0})
                                       .use(frame, light, [&](const gpu::Program& fresh) {
                                           bind_light_source(fresh, context, *media_, settings_.light_steps);
                                           bind(fresh, context);
