@@ -75,6 +75,12 @@ void SkinTables::update(const RenderScene& scene) {
     }
 }
 
+glm::vec3 SkinTables::layers(size_t index) const {
+    const size_t width = rows_.size() / kRows;
+    const glm::vec4 mirror = rows_[3 * width + index + 1];
+    return {rows_[width + index + 1].w, mirror.x, mirror.y};
+}
+
 size_t SkinTables::layer_of(const SurfaceDiffusion& diffusion, std::vector<Layer>& layers) const {
     const Technique technique = light_pass(technique_of(diffusion));
     if (technique == Technique::lambert) return 0;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -28,6 +29,9 @@ class SkinTextureSpaceTest : public RendererTest {
         for (int y = 0; y < 4; ++y)
             for (int x = 0; x < 1024; ++x) mask.bytes()[size_t(y * 1024 + x)] = x >= 512 ? 255 : 0;
         save_png(folder_ / "edge.png", mask);
+        Image even(4, 4, 3, Image::Type::u8);
+        std::ranges::fill(even.bytes(), uint8_t(160));
+        save_png(folder_ / "even.png", even);
         write_sheet("sheet.obj", 0.0f, 1.0f);
         write_sheet("half.obj", 0.25f, 0.75f);
         write_sheet("tiled.obj", 0.0f, 3.0f);
@@ -64,7 +68,7 @@ class SkinTextureSpaceTest : public RendererTest {
            "camera": {{"vertical_fov_deg": 10, "exposure": 1, "near_m": 0.001}}}},
           {{"name": "Sun", "directional_light": {{"illuminance_lux": 3, "gobo": "edge.png", "gobo_size_m": [0.04, 10]}}}},
           {{"name": "Sheet", "mesh": {{"file": "{}"}},
-           "material": {{"roughness": 1, "base_colour": [0.8, 0.5, 0.3]}},
+           "material": {{"roughness": 1, "base_colour": [0.8, 0.5, 0.3], "base_colour_texture": "even.png"}},
            "skin": {{"technique": "{}", "pre_scatter": {}, "transmission": 0}}}}]}})",
             look.path, look.map_size, look.distance_m, look.mesh, look.technique, look.pre_scatter);
         Engine engine(true);
