@@ -64,7 +64,7 @@ void SkinTables::update(const RenderScene& scene) {
         if (mirror == parameters.end())
             mirror = parameters.insert(parameters.end(), surface.material->shading_parameters);
         rows_[3 * width + i + 1] = {surface.material->ior > 1.0f ? surface.material->specular : 0.0f,
-                                    float(mirror - parameters.begin()), 0.0f, 0.0f};
+                                    float(mirror - parameters.begin()), thickness_use(*surface.diffusion), 0.0f};
         if (is_corrected(technique)) rows_[4 * width + i + 1] = glm::vec4(surface.diffusion->corrections.limb, 0.0f);
     }
     if (parameters != parameters_ || mirrors_.name() == 0) upload_layer_tables(parameters);

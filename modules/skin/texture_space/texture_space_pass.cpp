@@ -1,27 +1,21 @@
 #include "texture_space/texture_space_pass.h"
 
-#include <epoxy/gl.h>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 
-#include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/frustum.h"
 #include "render/gpu_scene.h"
 #include "render/light_state.h"
 #include "render/pixel_rectangle.h"
+#include "seen_mesh.h"
 #include "seen_rectangle.h"
 #include "texture_space/hable_taps.h"
 
 namespace tyndall::skin {
 namespace {
-
-bool has_volume(const Surface& surface) {
-    const float volume = glm::determinant(glm::mat3(surface.transform));
-    return volume != 0.0f && std::isfinite(volume);
-}
 
 void bind_texels(const gpu::Program& program, const Surface& surface, const SurfaceMaps& maps) {
     program.image("map", maps.light(), 0, true);
@@ -226,7 +220,7 @@ void TextureSpacePass::draw(PassContext& context, const Drawn& drawn) {
     const glm::vec3& limb = drawn.surface.diffusion->corrections.limb;
     const bool coloured = drawn.pre_scatter > 0.0f;
     gpu::ProgramDesc desc{.name = "skin.texture_space.surface",
-                          .vertex = "skin/texture_space/surface.vert",
+                          .vertex = "skin/surface.vert",
                           .fragment = "skin/texture_space/surface.frag"};
     if (coloured) desc.defines.emplace_back("COLOURED");
     if (drawn.pre_scatter == 0.5f) desc.defines.emplace_back("ROOT");
@@ -239,20 +233,12 @@ void TextureSpacePass::draw(PassContext& context, const Drawn& drawn) {
     program.texture("map", drawn.maps.result(), {.filter = gpu::Filter::linear});
     program.set("map_from_uv", drawn.maps.map_from_uv());
     program.set("limb", limb);
-    program.set("world_from_local", drawn.surface.transform);
-    program.set("clip_from_world", frame.block.view_projection);
     if (coloured) {
         program.set("base_colour", glm::vec3(material.base_colour));
         program.set("pre_scatter", drawn.pre_scatter);
         bind_slot(program, frame.gpu_scene, "base_colour_map", material.base_colour_texture);
     }
-    const DrawState state(DepthState::equal);
-    const bool mirrored = glm::determinant(glm::mat3(drawn.surface.transform)) < 0.0f;
-    if (!material.double_sided) glEnable(GL_CULL_FACE);
-    glFrontFace(mirrored ? GL_CW : GL_CCW);
-    frame.gpu_scene.draw_mesh(*drawn.surface.mesh);
-    glDisable(GL_CULL_FACE);
-    glFrontFace(GL_CCW);
+    draw_seen_mesh(program, drawn.surface, frame);
 }
 
 }  // namespace tyndall::skin
