@@ -163,10 +163,11 @@ void describe(StructBuilder<SkinComponent>& d) {
         .colour();
     d.field("strength", &S::strength, "An artist's choice: distances times this; 1 is what the profile says.")
         .range(0.0, 100.0);
-    d.field("pre_scatter", &S::pre_scatter,
-            "The colour to this power counts where light enters, the rest where it leaves: 0 keeps it sharp, 1 blurs it "
-            "as light is. Techniques of the light pass have it where light leaves, and so have those on the screen and in "
-            "the map for colour textures by the second UV set.")
+    d.field(
+         "pre_scatter", &S::pre_scatter,
+         "The colour to this power counts where light enters, the rest where it leaves: 0 keeps it sharp, 1 blurs it "
+         "as light is. Techniques of the light pass have it where light leaves, and so have those on the screen and in "
+         "the map for colour textures by the second UV set.")
         .range(0.0, 1.0);
     d.field("transmission", &S::transmission, "Share of the light through thin parts that is shown.").range(0.0, 1.0);
     d.field(

@@ -19,6 +19,7 @@ struct Seen {
     glm::ivec2 low{0}, high{0};
     float far = 1.0f;
     float thickness_use = 0.0f;  ///< the largest of thickness_use()
+    bool by_depth = false;       ///< of some of it shadow maps' depths say it
     [[nodiscard]] bool empty() const { return high == glm::ivec2(0); }
 };
 
@@ -39,6 +40,7 @@ Seen seen_skin(PassContext& context, SpreadIn spread) {
         seen.high = glm::max(seen.high, pixels.low + pixels.size);
         seen.far = std::min(seen.far, far_depth(surface.bounds, frame));
         seen.thickness_use = std::max(seen.thickness_use, thickness_use(*surface.diffusion));
+        seen.by_depth = seen.by_depth || thickness_use(*surface.diffusion) < 2.0f;
     }
     return seen;
 }
@@ -70,7 +72,7 @@ void TransmissionPass::execute(PassContext& context) {
     if (seen.empty()) return;
     context.bind_targets(kTargets, -1);
     const Within within(seen.low, seen.high, seen.far, BlendState::add);
-    rings(context);
+    if (seen.by_depth) rings(context);
     if (seen.thickness_use > 0.0f) {
         slabs(context, seen.thickness_use);
         around(context);

@@ -6,6 +6,9 @@
 uniform sampler2D gbuffer_surface;
 uniform sampler2D from;        // light from the rings, metres along the eye's axis
 uniform sampler2D skin_light;  // irradiance before it spread
+#ifdef COLOURED
+uniform sampler2D skin_pixels;  // what of the colour counted where light entered
+#endif
 uniform vec3 middle;           // share of light that stays in the pixel
 uniform float same;            // metres within which pixels are of one surface
 uniform float profile;
@@ -24,4 +27,7 @@ void main() {
         sum += abs(ring.a - here.a) < same ? vec4(ring.rgb, 1.0) : vec4(0.0);
     }
     result = vec4(mix(sum.rgb / max(sum.a, 1.0), here.rgb, middle), 0.0);
+#ifdef COLOURED
+    result.rgb /= texelFetch(skin_pixels, pixel, 0).rgb;
+#endif
 }
