@@ -7,6 +7,7 @@
 #include "oily_layer.h"
 #include "physics/physics.h"
 #include "render/frame.h"
+#include "texture_space/surface_finish.h"
 
 namespace tyndall::skin {
 namespace {
@@ -58,8 +59,9 @@ void SkinTables::update(const RenderScene& scene) {
         rows_[i + 1] = surface.material->shading_parameters;
         rows_[width + i + 1] = glm::vec4(flattens(technique) ? flattened(*surface.diffusion) : glm::vec3(0.0f),
                                          float(layer_of(*surface.diffusion, layers)));
-        rows_[2 * width + i + 1] = glm::vec4(surface.diffusion->pre_scatter, float(profile_of(*surface.diffusion)),
-                                             float(technique), surface.diffusion->transmission);
+        rows_[2 * width + i + 1] =
+            glm::vec4(usable_pre_scatter(*surface.material, surface.diffusion->pre_scatter),
+                      float(profile_of(*surface.diffusion)), float(technique), surface.diffusion->transmission);
         auto mirror = std::ranges::find(parameters, surface.material->shading_parameters);
         if (mirror == parameters.end())
             mirror = parameters.insert(parameters.end(), surface.material->shading_parameters);

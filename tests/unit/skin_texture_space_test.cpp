@@ -194,7 +194,8 @@ TEST_F(SkinTextureSpaceTest, ColourSpreadsAsLightDoes) {
                 const float wanted = light.at(kPixels - 1, row, c) * glm::mix(dark, bright, edge[c]);
                 const float error = (light.at(x, row, c) * base.at(x, row, c) - wanted) / (3.0f * bright);
                 sum[c] += error * error / float(kPixels);
-                paths = std::max(paths, std::abs(light.at(x, row, c) - second.at(x, row, c)));
+                // the G-buffer keeps colour in 16 bits
+                paths = std::max(paths, base.at(x, row, c) * std::abs(light.at(x, row, c) - second.at(x, row, c)));
             }
         }
         const glm::vec3 rms = glm::sqrt(sum);

@@ -18,8 +18,10 @@ namespace {
 
 constexpr int kColumns = 1024;
 
-bool has_pixels(const Surface& surface) {
-    return surface.diffusion && (scatters_colour(surface) || thickness_use(*surface.diffusion) > 0.0f);
+/// Whether it is to be drawn. `colour`: for its colour too.
+bool has_pixels(const Surface& surface, bool colour) {
+    if (!surface.diffusion) return false;
+    return (colour && scatters_colour(surface)) || thickness_use(*surface.diffusion) > 0.0f;
 }
 
 }  // namespace
@@ -27,31 +29,34 @@ bool has_pixels(const Surface& surface) {
 void SurfacePixelsPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::diffusion)
         .reads("scene_depth", "where the skin is")
-        .writes("skin_pixels", {.format = gpu::Format::rgba16f},
+        .reads("gbuffer_base", "whether colour is known without", true)
+        .writes("skin_pixels", {.format = gpu::Format::rgba32f},
                 "base colour to the power that counts where light enters, metres of the body's thickness");
 }
 
 void SurfacePixelsPass::execute(PassContext& context) {
     static constexpr std::string_view kTargets[] = {"skin_pixels", "scene_depth"};
     const RenderScene& scene = context.frame().scene;
-    if (settings_.enabled && std::ranges::any_of(scene.surfaces, has_pixels)) {
+    const bool colour = context.find_texture("gbuffer_base") == nullptr;
+    const auto wanted = [&](const Surface& surface) { return has_pixels(surface, colour); };
+    if (settings_.enabled && std::ranges::any_of(scene.surfaces, wanted)) {
         context.bind_targets(kTargets, -1);
         const std::array<float, 4> nothing{1.0f, 1.0f, 1.0f, -1.0f};
         glClearBufferfv(GL_COLOR, 0, nothing.data());
         for (const Surface& surface : scene.surfaces)
-            if (has_pixels(surface) && has_volume(surface)) draw(context, surface);
+            if (wanted(surface) && has_volume(surface)) draw(context, surface, colour && scatters_colour(surface));
     }
     vertices_.end_frame();
 }
 
-void SurfacePixelsPass::draw(PassContext& context, const Surface& surface) {
+void SurfacePixelsPass::draw(PassContext& context, const Surface& surface, bool coloured) {
     Frame& frame = context.frame();
     if (pixels_of(surface.bounds, frame.block.view_projection, context.size()).empty()) return;
     const Material& material = *surface.material;
     const SurfaceThickness* thickness =
         thickness_use(*surface.diffusion) > 0.0f ? surface.diffusion->thickness.get() : nullptr;
     gpu::ProgramDesc desc{.name = "skin.pixels", .vertex = "skin/surface.vert", .fragment = "skin/pixels/surface.frag"};
-    if (scatters_colour(surface)) desc.defines.emplace_back("COLOURED");
+    if (coloured) desc.defines.emplace_back("COLOURED");
     if (thickness) desc.defines.emplace_back(thickness->map.texture ? "THICKNESS_MAP" : "VERTEX_THICKNESS");
     const gpu::Program& program = frame.shaders.program(desc);
     program.use();

@@ -11,8 +11,8 @@
 namespace tyndall::skin {
 
 /// Draws skin once more, where it is seen, into the target `skin_pixels`: base colour^pre_scatter of techniques on the
-/// screen (else 1), and metres of the body's thickness (below 0: not known). Leaves the target alone when no skin of
-/// the scene has either.
+/// screen (else 1) where no G-buffer has the colour, and metres of the body's thickness (below 0: not known). Leaves
+/// the target alone when no skin of the scene has either.
 class SurfacePixelsPass final : public Pass {
  public:
     explicit SurfacePixelsPass(const SkinSettings& settings) : settings_(settings) {}
@@ -28,7 +28,7 @@ class SurfacePixelsPass final : public Pass {
         gpu::Texture list;
     };
 
-    void draw(PassContext& context, const Surface& surface);
+    void draw(PassContext& context, const Surface& surface, bool coloured);
     const gpu::Texture& vertices_of(const Surface& surface);
 
     const SkinSettings& settings_;

@@ -52,7 +52,8 @@ void ScreenPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::diffusion)
         .reads("scene_depth", "where the skin is")
         .reads("gbuffer_surface", "which skin is seen, and its plane")
-        .reads("skin_pixels", "what of the colour counts where light enters")
+        .reads("gbuffer_base", "colour, of which some counts where light enters", true)
+        .reads("skin_pixels", "the same where there is no such target")
         .writes("skin_light", {.format = gpu::Format::rgba32f}, "irradiance that enters skin, metres from the eye")
         .writes("skin_spread", {.format = gpu::Format::rgba32f}, "the same, spread along one direction")
         .updates("light_diffuse", "irradiance spread under the skin")
@@ -119,13 +120,18 @@ const ScreenPass::Kernel& ScreenPass::kernel_of(const Group& group) {
 
 const gpu::Program& ScreenPass::begin(PassContext& context, gpu::ProgramDesc desc, bool coloured) const {
     Frame& frame = context.frame();
+    const gpu::Texture* base = context.find_texture("gbuffer_base");
     if (coloured) desc.defines.emplace_back("COLOURED");
+    if (coloured && base) desc.defines.emplace_back("BASE");
     const gpu::Program& program = frame.shaders.program(desc);
     program.use();
     bind_frame(program, frame);
     tables_->bind_surfaces(program, frame.scene);
     program.texture("gbuffer_surface", context.texture("gbuffer_surface"), {.filter = gpu::Filter::nearest});
-    if (coloured) program.texture("skin_pixels", context.texture("skin_pixels"), {.filter = gpu::Filter::nearest});
+    if (coloured && base)
+        program.texture("gbuffer_base", *base, {.filter = gpu::Filter::nearest});
+    else if (coloured)
+        program.texture("skin_pixels", context.texture("skin_pixels"), {.filter = gpu::Filter::nearest});
     return program;
 }
 

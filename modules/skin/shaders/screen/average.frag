@@ -1,14 +1,11 @@
 // The technique disc's second half: what the rings of nine pixels have found, and each pixel's own middle.
 #include "render/shaders/frame.glsl"
 #include "render/shaders/gbuffer.glsl"
-#include "skin/surfaces.glsl"
+#include "skin/screen/colour.glsl"
 
 uniform sampler2D gbuffer_surface;
 uniform sampler2D from;        // light from the rings, metres along the eye's axis
 uniform sampler2D skin_light;  // irradiance before it spread
-#ifdef COLOURED
-uniform sampler2D skin_pixels;  // what of the colour counted where light entered
-#endif
 uniform vec3 middle;           // share of light that stays in the pixel
 uniform float same;            // metres within which pixels are of one surface
 uniform float profile;
@@ -26,8 +23,5 @@ void main() {
         vec4 ring = texelFetch(from, clamp(pixel + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last), 0);
         sum += abs(ring.a - here.a) < same ? vec4(ring.rgb, 1.0) : vec4(0.0);
     }
-    result = vec4(mix(sum.rgb / max(sum.a, 1.0), here.rgb, middle), 0.0);
-#ifdef COLOURED
-    result.rgb /= texelFetch(skin_pixels, pixel, 0).rgb;
-#endif
+    result = vec4(mix(sum.rgb / max(sum.a, 1.0), here.rgb, middle) / skin_colour(pixel, skin), 0.0);
 }

@@ -5,13 +5,10 @@
 // another part of the body, or the plane's bend; it then counts less, as the kernel's widest Gaussian would have it.
 #include "render/shaders/frame.glsl"
 #include "render/shaders/gbuffer.glsl"
-#include "skin/surfaces.glsl"
+#include "skin/screen/colour.glsl"
 
 uniform sampler2D gbuffer_surface;
 uniform sampler2D from;        // irradiance, metres along the eye's axis; 0 = no skin
-#ifdef COLOURED
-uniform sampler2D skin_pixels;  // what of the colour counted where light entered
-#endif
 #ifndef DISC
 uniform sampler2D skin_light;  // before any of it
 uniform vec3 share;            // of spread light; the rest stays where it was
@@ -96,9 +93,7 @@ void main() {
     light = mix(middle.rgb, light / max(total, vec3(1e-9)), greaterThan(total, vec3(1e-6)));
 #ifdef LAST
     light = mix(texelFetch(skin_light, pixel, 0).rgb, light, share);
-#ifdef COLOURED
-    light /= texelFetch(skin_pixels, pixel, 0).rgb;
-#endif
+    light /= skin_colour(pixel, skin);
 #endif
     result = mine ? vec4(light, middle.a) : middle;
 }
