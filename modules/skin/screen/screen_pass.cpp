@@ -35,14 +35,6 @@ physics::DiffusionProfile wide_gaussian(const physics::DiffusionProfile& profile
     return {{{kWideVariance_m2 * profile.mean_square().x / as_published, glm::vec3(1.0f)}}};
 }
 
-/// What becomes the profile when nine pixels are averaged, which adds a variance of 2/3 of a pixel along each axis.
-physics::DiffusionProfile before_average(physics::DiffusionProfile profile, float pixel_m) {
-    constexpr float kLeast_m2 = 1e-12f;
-    for (physics::DiffusionLobe& lobe : profile.lobes)
-        lobe.variance_m2 = std::max(lobe.variance_m2 - 2.0f / 3.0f * pixel_m * pixel_m, kLeast_m2);
-    return profile;
-}
-
 }  // namespace
 
 ScreenPass::ScreenPass(std::shared_ptr<SkinTables> tables, const SkinSettings& settings)
@@ -109,7 +101,7 @@ const ScreenPass::Kernel& ScreenPass::kernel_of(const Group& group) {
     if (kernels_.size() >= kMostKernels) kernels_.erase(kernels_.begin());
     Kernel kernel{group.technique, profile, count, group.pixel_m, {}, {}};
     if (disc)
-        for (const DiscTap& tap : disc_kernel(before_average(profile, group.pixel_m), count, group.pixel_m)) {
+        for (const DiscTap& tap : disc_kernel(profile, count, group.pixel_m)) {
             kernel.taps.emplace_back(tap.weight, glm::length(tap.place));
             kernel.places.emplace_back(tap.place, 0.0f, 0.0f);
         }
