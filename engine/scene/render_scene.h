@@ -108,6 +108,14 @@ struct ScatteringInterior {
     std::string technique = "auto";  ///< what the scene asks to render it with in real time, by a module's names
 };
 
+/// How thick a body is below its surface, for light that comes through it.
+struct SurfaceThickness {
+    TextureSlot map;              ///< first channel; without it `vertices` say it
+    float map_m = 0.0f;           ///< metres of the world that 1 of the map stands for
+    std::vector<float> vertices;  ///< the mesh's; metres over the cube root of the transform's volume
+    bool all_lights = false;      ///< of lights with shadow maps as well, which may know it better
+};
+
 /// Light that enters the surface spreads under it and leaves beside (skin): what is thick and even compared with how
 /// far light gets. The material's base colour is what comes back of diffuse light in all. Solvers that do not know it
 /// have light leave where it enters.
@@ -118,8 +126,9 @@ struct SurfaceDiffusion {
     /// Of light that enters one side of a thin part, what leaves the other, to be multiplied by the base colour; null =
     /// the profile's own guess (DiffusionProfile::through).
     std::shared_ptr<const physics::SlabTransmittance> through;
-    physics::ProfileCorrections corrections;  ///< metres of the world
-    float detail_m = 0.001f;                  ///< wavelength of what the normal map adds
+    physics::ProfileCorrections corrections;            ///< metres of the world
+    std::shared_ptr<const SurfaceThickness> thickness;  ///< null = shadow maps alone say it
+    float detail_m = 0.001f;                            ///< wavelength of what the normal map adds
     std::string technique;  ///< what the scene asks to render it with in real time, by a module's names
 };
 

@@ -28,11 +28,11 @@ struct DiscTap {
     glm::vec3 weight;  ///< all weights of a channel sum to 1
 };
 
-/// A profile over `count` rings of equal light (all channels together), a tap in each, at the golden angle from one to
-/// the next: the sampling of Christensen & Burley (Approximate Reflectance Profiles for Efficient Subsurface
-/// Scattering, 2015) without its noise. The first tap stands in the middle; the ring next to it is not nearer than
-/// `least_m`.
-[[nodiscard]] std::vector<DiscTap> disc_kernel(const physics::DiffusionProfile& profile, int count, float least_m);
+/// A profile over `count` rings, a tap in each at the golden angle from one to the next: the sampling of Christensen &
+/// Burley (Approximate Reflectance Profiles for Efficient Subsurface Scattering, 2015) without its noise. Pixels of
+/// `pixel_m` average what they and their eight neighbours found, each with its taps turned otherwise: the taps are as
+/// much narrower. The first tap stands in the middle and is not averaged.
+[[nodiscard]] std::vector<DiscTap> disc_kernel(const physics::DiffusionProfile& profile, int count, float pixel_m);
 
 /// Beyond this the profile has next to no light, metres.
 [[nodiscard]] float reach(const physics::DiffusionProfile& profile);

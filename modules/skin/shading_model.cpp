@@ -7,6 +7,7 @@
 #include "oily_layer.h"
 #include "physics/physics.h"
 #include "render/frame.h"
+#include "texture_space/surface_finish.h"
 
 namespace tyndall::skin {
 namespace {
@@ -58,13 +59,14 @@ void SkinTables::update(const RenderScene& scene) {
         rows_[i + 1] = surface.material->shading_parameters;
         rows_[width + i + 1] = glm::vec4(flattens(technique) ? flattened(*surface.diffusion) : glm::vec3(0.0f),
                                          float(layer_of(*surface.diffusion, layers)));
-        rows_[2 * width + i + 1] = glm::vec4(surface.diffusion->pre_scatter, float(profile_of(*surface.diffusion)),
-                                             float(technique), surface.diffusion->transmission);
+        rows_[2 * width + i + 1] =
+            glm::vec4(usable_pre_scatter(*surface.material, surface.diffusion->pre_scatter),
+                      float(profile_of(*surface.diffusion)), float(technique), surface.diffusion->transmission);
         auto mirror = std::ranges::find(parameters, surface.material->shading_parameters);
         if (mirror == parameters.end())
             mirror = parameters.insert(parameters.end(), surface.material->shading_parameters);
         rows_[3 * width + i + 1] = {surface.material->ior > 1.0f ? surface.material->specular : 0.0f,
-                                    float(mirror - parameters.begin()), 0.0f, 0.0f};
+                                    float(mirror - parameters.begin()), thickness_use(*surface.diffusion), 0.0f};
         if (is_corrected(technique)) rows_[4 * width + i + 1] = glm::vec4(surface.diffusion->corrections.limb, 0.0f);
     }
     if (parameters != parameters_ || mirrors_.name() == 0) upload_layer_tables(parameters);
@@ -73,6 +75,12 @@ void SkinTables::update(const RenderScene& scene) {
         surfaces_ = table(rows_, int(width), int(kRows), "skin surfaces");
         uploaded_rows_ = rows_;
     }
+}
+
+glm::vec3 SkinTables::layers(size_t index) const {
+    const size_t width = rows_.size() / kRows;
+    const glm::vec4 mirror = rows_[3 * width + index + 1];
+    return {rows_[width + index + 1].w, mirror.x, mirror.y};
 }
 
 size_t SkinTables::layer_of(const SurfaceDiffusion& diffusion, std::vector<Layer>& layers) const {

@@ -21,6 +21,9 @@ class SkinTables {
     void bind_surfaces(const gpu::Program& program, const RenderScene& scene);
     /// The profiles of the scene that `update` last saw, and for as long as it lives; the table numbers them from 1 on.
     [[nodiscard]] const std::vector<const physics::DiffusionProfile*>& profiles() const { return profiles_; }
+    /// What the light pass knows of the scene's surface `index`, of the scene that `update` last saw: layer of the
+    /// responses, strength of the mirror, layer of the mirrors.
+    [[nodiscard]] glm::vec3 layers(size_t index) const;
     /// Finds the profiles and fills the table; the others do it when needed.
     void update(const RenderScene& scene);
 

@@ -1,6 +1,7 @@
 #include "skin_component.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
@@ -9,6 +10,8 @@
 #include "core/error.h"
 #include "geometry/curvature.h"
 #include "skin_maps.h"
+#include "skin_thickness.h"
+#include "texture_space/surface_maps.h"
 #include "texture_space/usable_maps.h"
 
 namespace tyndall::skin {
@@ -26,6 +29,7 @@ struct Made {
     SkinComponent component;
     uint64_t material_id = 0, mesh_id = 0;
     float scale = 0.0f;
+    std::array<int, 6> stretch{};
     std::shared_ptr<const Material> material;
     std::shared_ptr<const MeshAsset> mesh;
     std::shared_ptr<const SurfaceDiffusion> diffusion;
@@ -80,13 +84,15 @@ class SkinExtractor {
             });
         Made& made = made_[{context.entity.index, context.entity.generation, which}];
         const bool changed = !made.material || made.component != component;
-        const std::string& name = surface.material->name;
+        const std::array<int, 6> stretch = stretch_of(surface.transform).key;
         if (changed || made.material_id != surface.material->id)
             made.material = skin_material(*surface.material, component, context.assets, surface.interior.has_value());
         if (made.mesh_id != surface.mesh->id || std::abs(scale - made.scale) > 0.05f * made.scale)
             made.mesh = curved(*surface.mesh, made.scale = scale);
-        if (changed || made.mesh_id != surface.mesh->id) made.diffusion = diffusion_of(component, *surface.mesh, name);
+        if (changed || made.mesh_id != surface.mesh->id || made.stretch != stretch)
+            made.diffusion = diffusion_of(component, surface, context.assets);
         made.component = component;
+        made.stretch = stretch;
         made.material_id = surface.material->id;
         made.mesh_id = surface.mesh->id;
         surface.material = made.material;
@@ -94,8 +100,8 @@ class SkinExtractor {
         surface.diffusion = made.diffusion;
     }
 
-    std::shared_ptr<const SurfaceDiffusion> diffusion_of(const SkinComponent& component, const MeshAsset& mesh,
-                                                         const std::string& name) {
+    std::shared_ptr<const SurfaceDiffusion> diffusion_of(const SkinComponent& component, const Surface& surface,
+                                                         AssetStore& assets) {
         auto made = std::make_shared<SurfaceDiffusion>();
         const std::shared_ptr<const MadeProfile> profile = made_profile(component.profile);
         made->profile = adjusted(profile->profile, component);
@@ -109,15 +115,19 @@ class SkinExtractor {
         made->pre_scatter = component.pre_scatter;
         made->transmission = component.transmission;
         made->detail_m = component.detail_mm * 1e-3f;
+        if (component.transmission > 0.0f) made->thickness = thicknesses_.of(component, surface, assets);
         // a mesh whose UVs are no map is done on the screen
         const bool in_map = component.technique == Technique::six_gaussians || component.technique == Technique::hable;
-        const Technique technique = in_map && !usable_.usable(mesh, name) ? Technique::separable : component.technique;
+        const Technique technique = in_map && !usable_.usable(*surface.mesh, surface.material->name)
+                                        ? Technique::separable
+                                        : component.technique;
         made->technique = technique_names()[static_cast<size_t>(technique)];
         return made;
     }
 
     std::map<Key, Made> made_;
     UsableMaps usable_;
+    Thicknesses thicknesses_;
 };
 
 }  // namespace
@@ -132,6 +142,10 @@ void describe(StructBuilder<SkinMaps>& d) {
     d.field("specular", &M::specular, "Strength of the mirror, first channel.").asset("texture");
     d.field("cavity", &M::cavity, "Where pores and folds hide the mirror: 0 = hidden, first channel.").asset("texture");
     d.field("oiliness", &M::oiliness, "0 = dry, 1 = oily: half as rough, first channel.").asset("texture");
+    d.field("thickness", &M::thickness,
+            "How thick the skin is along the inward normal, for light through thin parts: 1 is thickness_mm, first "
+            "channel.")
+        .asset("texture");
 }
 
 void describe(StructBuilder<SkinComponent>& d) {
@@ -149,11 +163,22 @@ void describe(StructBuilder<SkinComponent>& d) {
         .colour();
     d.field("strength", &S::strength, "An artist's choice: distances times this; 1 is what the profile says.")
         .range(0.0, 100.0);
-    d.field("pre_scatter", &S::pre_scatter,
-            "In the map (six_gaussians, hable) the colour to this power counts where light enters, the rest where it "
-            "leaves: 0 keeps it sharp, 1 blurs it as light is. On the screen it counts where light leaves.")
+    d.field(
+         "pre_scatter", &S::pre_scatter,
+         "The colour to this power counts where light enters, the rest where it leaves: 0 keeps it sharp, 1 blurs it "
+         "as light is. Techniques of the light pass have it where light leaves, and so have those on the screen and in "
+         "the map for colour textures by the second UV set.")
         .range(0.0, 1.0);
     d.field("transmission", &S::transmission, "Share of the light through thin parts that is shown.").range(0.0, 1.0);
+    d.field(
+        "thickness", &S::thickness,
+        "What light through thin parts goes by. given: shadow maps, and where there are none (lights without, light "
+        "from all around) the map of thickness if there is one. others: the same, and a thickness baked from the mesh "
+        "if there is no map. all: thickness for all lights.",
+        {"given", "others", "all"});
+    d.field("thickness_mm", &S::thickness_mm, "Millimetres of the world that 1 of the map of thickness stands for.")
+        .unit("mm")
+        .range(0.001, 10000.0);
     d.field("specular", &S::specular,
             "The oily layer: two lobes of GGX, or Kelemen & Szirmay-Kalos (2001) with Beckmann's.",
             {"two_lobes", "kelemen"});

@@ -15,6 +15,10 @@ namespace tyndall::skin {
 /// How the oily layer mirrors.
 enum class Specular { two_lobes, kelemen };
 
+/// Whether light through thin parts goes by the body's thickness: where shadow maps do not say it and there is a map of
+/// it; there in any case; or always.
+enum class ThicknessUse { given, others, all };
+
 /// Texture files; an empty name leaves what the material has.
 struct SkinMaps {
     std::string colour;
@@ -23,6 +27,7 @@ struct SkinMaps {
     std::string specular;
     std::string cavity;
     std::string oiliness;
+    std::string thickness;
     bool operator==(const SkinMaps&) const = default;
 };
 
@@ -34,6 +39,8 @@ struct SkinComponent {
     float strength = 1.0f;
     float pre_scatter = 0.5f;
     float transmission = 1.0f;
+    ThicknessUse thickness = ThicknessUse::given;
+    float thickness_mm = 20.0f;
     Specular specular = Specular::two_lobes;
     glm::vec2 lobe_roughness{0.75f, 1.3f};
     float second_lobe = 0.15f;

@@ -26,6 +26,14 @@ enum class Technique {
 /// The technique of a surface that has diffusion; separable for names that are not this module's.
 [[nodiscard]] Technique technique_of(const SurfaceDiffusion& diffusion);
 
+/// Whether a surface's transform keeps it a body: not flat, and finite.
+[[nodiscard]] bool has_volume(const Surface& surface);
+/// What the body's thickness is used for, as shaders/surfaces.glsl has it: 0 = nothing, 1 = light without shadow maps,
+/// 2 = all light through it.
+[[nodiscard]] float thickness_use(const SurfaceDiffusion& diffusion);
+/// Whether base colour counts where light enters, of a technique on the screen. Even colour cancels out.
+[[nodiscard]] bool scatters_colour(const Surface& surface);
+
 /// Indices of the scene's surfaces that are rendered with a technique.
 [[nodiscard]] std::vector<size_t> surfaces_of(const RenderScene& scene, Technique technique);
 

@@ -13,6 +13,8 @@
 #include <string>
 
 #include "app/engine.h"
+#include "core/log.h"
+#include "image/image_io.h"
 #include "profile_choice.h"
 #include "renderer_fixture.h"
 
@@ -22,6 +24,8 @@ namespace {
 constexpr float kLux = 3.0f;
 
 const std::string kSun = R"("directional_light": {"illuminance_lux": 3, "shadow": {"size": 512, "cascades": 1}})";
+const std::string kBareSun = R"("directional_light": {"illuminance_lux": 3})";
+const std::string kSky = R"("sky": {"radiance_cd_m2": [1, 1, 1]})";
 const std::string kSpot =
     R"("spot_light": {"intensity_cd": 3, "inner_angle_deg": 4, "outer_angle_deg": 5, "shadow": {"size": 512}})";
 const std::string kPoint = R"("point_light": {"intensity_cd": 3, "shadow": {"size": 1024}})";
@@ -35,6 +39,8 @@ struct Slab {
     std::string technique = "separable";
     std::string more;  ///< entities, after a comma
     std::string path = "light_pre_pass";
+    float side_m = 0.04f;
+    std::string skin;  ///< fields, after a comma
 };
 
 class SkinTransmissionTest : public RendererTest {
@@ -43,6 +49,25 @@ class SkinTransmissionTest : public RendererTest {
         RendererTest::SetUp();
         folder_ = std::filesystem::temp_directory_path() / ("tyndall_through_" + std::to_string(getpid()));
         std::filesystem::create_directories(folder_);
+        Image fifth(4, 4, 1, Image::Type::u8);
+        std::ranges::fill(fifth.bytes(), uint8_t(51));
+        save_png(folder_ / "fifth.png", fifth);
+        write_box();
+    }
+
+    /// A cube of side 1 whose faces have UVs of their own.
+    void write_box() const {
+        std::ofstream file(folder_ / "box.obj");
+        for (int i = 0; i < 8; ++i)
+            file << fmt::format("v {} {} {}\n", (i & 1) - 0.5, ((i >> 1) & 1) - 0.5, (i >> 2) - 0.5);
+        for (int i = 0; i < 24; ++i)
+            file << fmt::format("vt {} {}\n", 0.35 * (i / 4 % 3) + (i % 4 % 3 == 0 ? 0.02 : 0.28),
+                                0.4 * (i / 12) + (i % 4 < 2 ? 0.02 : 0.28));
+        constexpr int kFaces[6][4] = {{5, 6, 8, 7}, {2, 1, 3, 4}, {6, 2, 4, 8},
+                                      {1, 5, 7, 3}, {7, 8, 4, 3}, {1, 2, 6, 5}};
+        for (int f = 0; f < 6; ++f)
+            file << fmt::format("f {}/{} {}/{} {}/{} {}/{}\n", kFaces[f][0], 4 * f + 1, kFaces[f][1], 4 * f + 2,
+                                kFaces[f][2], 4 * f + 3, kFaces[f][3], 4 * f + 4);
     }
     void TearDown() override {
         std::filesystem::remove_all(folder_);
@@ -60,11 +85,11 @@ class SkinTransmissionTest : public RendererTest {
           {{"name": "Camera", "transform": {{"translation": [0, 0, 0.15], "look_at": [0, 0, 0]}},
            "camera": {{"vertical_fov_deg": 6, "exposure": 1, "near_m": 0.001}}}},
           {{"name": "Light", "transform": {{"translation": [{}, 0, {}], "look_at": [0, 0, 0]}}, {}}},
-          {{"name": "Slab", "transform": {{"translation": [0, 0, {}], "scale": [0.04, 0.04, {}]}},
-           "mesh": {{"primitive": "box"}}, "material": {{"roughness": 1}},
-           "skin": {{"profile": {{"{}": {{}}}}, "technique": "{}", "transmission": {}}}}}{}]}})",
-            slab.path, std::sin(angle), -std::cos(angle), slab.light, -0.0005f * slab.thickness_mm,
-            0.001f * slab.thickness_mm, slab.profile, slab.technique, transmission, slab.more);
+          {{"name": "Slab", "transform": {{"translation": [0, 0, {}], "scale": [{}, {}, {}]}},
+           "mesh": {{"file": "box.obj"}}, "material": {{"roughness": 1}},
+           "skin": {{"profile": {{"{}": {{}}}}, "technique": "{}", "transmission": {}{}}}}}{}]}})",
+            slab.path, std::sin(angle), -std::cos(angle), slab.light, -0.0005f * slab.thickness_mm, slab.side_m,
+            slab.side_m, 0.001f * slab.thickness_mm, slab.profile, slab.technique, transmission, slab.skin, slab.more);
         Engine engine(true);
         engine.load_scene(file, {});
         engine.renderer().retain({target});
@@ -155,6 +180,70 @@ TEST_F(SkinTransmissionTest, LightFromTheFrontIsLeftAlone) {
         std::printf("light from %.0f degrees: adds %.6f\n", double(angle), double(added));
         EXPECT_EQ(added, 0.0f);
     }
+}
+
+/// Fields of skin that is as thick as a map says.
+std::string by_map(float thickness_mm) {
+    return fmt::format(R"(, "maps": {{"thickness": "fifth.png"}}, "thickness_mm": {})", 5.0f * thickness_mm);
+}
+
+TEST_F(SkinTransmissionTest, ThicknessDoesForShadowMaps) {
+    struct Case {
+        const char* what;
+        std::string light;
+        std::string skin;
+    };
+    for (const float thickness : {1.0f, 3.0f}) {
+        const glm::vec3 wanted = expected(Skin1Profile{}, thickness);
+        for (const Case& c : {Case{"a map, light without shadows", kBareSun, by_map(thickness)},
+                              Case{"baked, light without shadows", kBareSun, R"(, "thickness": "others")"},
+                              Case{"baked, for all lights", kSun, R"(, "thickness": "all")"}}) {
+            const Slab slab{.thickness_mm = thickness, .light = c.light, .side_m = 0.2f, .skin = c.skin};
+            const glm::vec3 got = centre(render_slab(slab)) / kLux;
+            std::printf("%.0f mm, %s: %.4f %.4f %.4f, should be %.4f %.4f %.4f\n", double(thickness), c.what,
+                        double(got.x), double(got.y), double(got.z), double(wanted.x), double(wanted.y),
+                        double(wanted.z));
+            for (int k = 0; k < 3; ++k) EXPECT_NEAR(got[k], wanted[k], 0.05f * wanted[k] + 0.001f);
+        }
+    }
+}
+
+TEST_F(SkinTransmissionTest, LightFromAllAroundComesThrough) {
+    for (const char* technique : {"separable", "hable"}) {
+        const Slab slab{.thickness_mm = 3, .light = kSky, .technique = technique, .side_m = 0.2f, .skin = by_map(3)};
+        const glm::vec3 got = centre(render_slab(slab)) - centre(render_slab(slab, 0.0f));
+        const glm::vec3 wanted = std::numbers::pi_v<float> * expected(Skin1Profile{}, 3);
+        std::printf("%s, even light: %.4f %.4f %.4f, should be %.4f %.4f %.4f\n", technique, double(got.x),
+                    double(got.y), double(got.z), double(wanted.x), double(wanted.y), double(wanted.z));
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(got[k], wanted[k], 0.02f * wanted[k] + 0.001f);
+    }
+}
+
+TEST_F(SkinTransmissionTest, ThicknessLeavesTheRestAlone) {
+    // lights with shadow maps go by these, light from the front comes through nothing, what is behind shades
+    const float lamp = apart(render_slab({}), render_slab({.skin = by_map(2)}));
+    const Slab front{.angle_deg = 180, .light = kBareSun, .skin = by_map(2)};
+    const float added = apart(render_slab(front, 1.0f), render_slab(front, 0.0f));
+    const std::string board =
+        R"(, {"name": "Board", "transform": {"translation": [0, 0, -0.012], "scale": [0.1, 0.1, 0.001]},
+            "mesh": {"primitive": "box"}, "material": {}})";
+    const float glow = most(render_slab({.more = board, .skin = R"(, "thickness": "all")"}));
+    std::printf("a map changes a lamp by %.6f, light from the front by %.6f; behind a board %.6f\n", double(lamp),
+                double(added), double(glow));
+    EXPECT_EQ(lamp, 0.0f);
+    EXPECT_EQ(added, 0.0f);
+    EXPECT_LT(glow, 1e-4f);
+}
+
+TEST_F(SkinTransmissionTest, AMissingMapOfThicknessIsNamed) {
+    std::string logged;
+    log::set_sink([&](log::Level level, std::string_view text) {
+        if (level == log::Level::error) logged += text;
+    });
+    render_slab({.skin = R"(, "maps": {"thickness": "none.png"})"});
+    log::set_sink({});
+    std::printf("%s\n", logged.c_str());
+    EXPECT_NE(logged.find("none.png: no such file"), std::string::npos);
 }
 
 TEST_F(SkinTransmissionTest, SkinInMapsGlowsAsWell) {

@@ -35,14 +35,6 @@ physics::DiffusionProfile wide_gaussian(const physics::DiffusionProfile& profile
     return {{{kWideVariance_m2 * profile.mean_square().x / as_published, glm::vec3(1.0f)}}};
 }
 
-/// What becomes the profile when nine pixels are averaged, which adds a variance of 2/3 of a pixel along each axis.
-physics::DiffusionProfile before_average(physics::DiffusionProfile profile, float pixel_m) {
-    constexpr float kLeast_m2 = 1e-12f;
-    for (physics::DiffusionLobe& lobe : profile.lobes)
-        lobe.variance_m2 = std::max(lobe.variance_m2 - 2.0f / 3.0f * pixel_m * pixel_m, kLeast_m2);
-    return profile;
-}
-
 }  // namespace
 
 ScreenPass::ScreenPass(std::shared_ptr<SkinTables> tables, const SkinSettings& settings)
@@ -52,6 +44,8 @@ void ScreenPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::diffusion)
         .reads("scene_depth", "where the skin is")
         .reads("gbuffer_surface", "which skin is seen, and its plane")
+        .reads("gbuffer_base", "colour, of which some counts where light enters", true)
+        .reads("skin_pixels", "the same where there is no such target")
         .writes("skin_light", {.format = gpu::Format::rgba32f}, "irradiance that enters skin, metres from the eye")
         .writes("skin_spread", {.format = gpu::Format::rgba32f}, "the same, spread along one direction")
         .updates("light_diffuse", "irradiance spread under the skin")
@@ -76,12 +70,13 @@ std::vector<ScreenPass::Group> ScreenPass::groups(PassContext& context) const {
                 profiles, [&](const physics::DiffusionProfile* p) { return *p == surface.diffusion->profile; });
             groups.push_back({technique, &surface.diffusion->profile, float(number - profiles.begin() + 1), pixels.low,
                               pixels.low + pixels.size, nearest_pixel_m(surface.bounds, frame),
-                              far_depth(surface.bounds, frame)});
+                              far_depth(surface.bounds, frame), scatters_colour(surface)});
             continue;
         }
         group->low = glm::min(group->low, pixels.low);
         group->high = glm::max(group->high, pixels.low + pixels.size);
         group->far = std::min(group->far, far_depth(surface.bounds, frame));
+        group->coloured = group->coloured || scatters_colour(surface);
         group->pixel_m = std::min(group->pixel_m, nearest_pixel_m(surface.bounds, frame));
     }
     return groups;
@@ -106,7 +101,7 @@ const ScreenPass::Kernel& ScreenPass::kernel_of(const Group& group) {
     if (kernels_.size() >= kMostKernels) kernels_.erase(kernels_.begin());
     Kernel kernel{group.technique, profile, count, group.pixel_m, {}, {}};
     if (disc)
-        for (const DiscTap& tap : disc_kernel(before_average(profile, group.pixel_m), count, group.pixel_m)) {
+        for (const DiscTap& tap : disc_kernel(profile, count, group.pixel_m)) {
             kernel.taps.emplace_back(tap.weight, glm::length(tap.place));
             kernel.places.emplace_back(tap.place, 0.0f, 0.0f);
         }
@@ -115,18 +110,24 @@ const ScreenPass::Kernel& ScreenPass::kernel_of(const Group& group) {
     return kernels_.emplace_back(std::move(kernel));
 }
 
-const gpu::Program& ScreenPass::begin(PassContext& context, const gpu::ProgramDesc& desc) const {
+const gpu::Program& ScreenPass::begin(PassContext& context, gpu::ProgramDesc desc, bool coloured) const {
     Frame& frame = context.frame();
+    const gpu::Texture* base = context.find_texture("gbuffer_base");
+    if (coloured) desc.defines.emplace_back("COLOURED");
+    if (coloured && base) desc.defines.emplace_back("BASE");
     const gpu::Program& program = frame.shaders.program(desc);
     program.use();
     bind_frame(program, frame);
     tables_->bind_surfaces(program, frame.scene);
     program.texture("gbuffer_surface", context.texture("gbuffer_surface"), {.filter = gpu::Filter::nearest});
+    if (coloured && base)
+        program.texture("gbuffer_base", *base, {.filter = gpu::Filter::nearest});
+    else if (coloured)
+        program.texture("skin_pixels", context.texture("skin_pixels"), {.filter = gpu::Filter::nearest});
     return program;
 }
 
 void ScreenPass::pack(PassContext& context, const std::vector<Group>& groups) {
-    static const gpu::ProgramDesc kDesc{.name = "skin.pack", .fragment = "skin/screen/pack.frag"};
     static constexpr std::string_view kTargets[] = {"skin_light", "scene_depth"};
     static constexpr std::string_view kSpread[] = {"skin_spread", "scene_depth"};
     glm::ivec2 low = groups.front().low, high = groups.front().high;
@@ -142,7 +143,8 @@ void ScreenPass::pack(PassContext& context, const std::vector<Group>& groups) {
     glClearBufferfv(GL_COLOR, 0, nothing.data());
     context.bind_targets(kTargets, -1);
     glClearBufferfv(GL_COLOR, 0, nothing.data());
-    const gpu::Program& program = begin(context, kDesc);
+    const bool coloured = std::ranges::any_of(groups, &Group::coloured);
+    const gpu::Program& program = begin(context, {.name = "skin.pack", .fragment = "skin/screen/pack.frag"}, coloured);
     for (const char* target : {"scene_depth", "light_diffuse"})
         program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
     const Within within(low, high, far);
@@ -158,7 +160,7 @@ void ScreenPass::gather(PassContext& context, const Group& group, const Kernel& 
         .fragment = "skin/screen/gather.frag",
         .defines = {fmt::format("TAPS {}", kernel.taps.size()), disc ? "DISC" : "LINE", last ? "LAST" : "FIRST"}};
     context.bind_targets(targets, -1);
-    const gpu::Program& program = begin(context, desc);
+    const gpu::Program& program = begin(context, desc, last && group.coloured);
     program.texture("from", context.texture(step == 0 ? "skin_light" : "skin_spread"),
                     {.filter = gpu::Filter::nearest});
     program.texture("skin_light", context.texture("skin_light"), {.filter = gpu::Filter::nearest});
@@ -176,10 +178,10 @@ void ScreenPass::gather(PassContext& context, const Group& group, const Kernel& 
 }
 
 void ScreenPass::average(PassContext& context, const Group& group, const Kernel& kernel) {
-    static const gpu::ProgramDesc kDesc{.name = "skin.average", .fragment = "skin/screen/average.frag"};
     static constexpr std::string_view kTargets[] = {"light_diffuse", "scene_depth"};
     context.bind_targets(kTargets, -1);
-    const gpu::Program& program = begin(context, kDesc);
+    const gpu::Program& program =
+        begin(context, {.name = "skin.average", .fragment = "skin/screen/average.frag"}, group.coloured);
     program.texture("from", context.texture("skin_spread"), {.filter = gpu::Filter::nearest});
     program.texture("skin_light", context.texture("skin_light"), {.filter = gpu::Filter::nearest});
     program.set("middle", glm::vec3(kernel.taps.front()));

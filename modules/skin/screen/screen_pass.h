@@ -29,8 +29,9 @@ class ScreenPass final : public Pass {
         const physics::DiffusionProfile* profile = nullptr;
         float number = 0.0f;  ///< of the profile, in the table
         glm::ivec2 low{0}, high{0};
-        float pixel_m = 0.0f;  ///< metres of a pixel where the nearest of them is
-        float far = 0.0f;      ///< none of them is farther than this depth
+        float pixel_m = 0.0f;   ///< metres of a pixel where the nearest of them is
+        float far = 0.0f;       ///< none of them is farther than this depth
+        bool coloured = false;  ///< colour counts where light enters
     };
     /// A kernel made for a group.
     struct Kernel {
@@ -45,7 +46,7 @@ class ScreenPass final : public Pass {
     std::vector<Group> groups(PassContext& context) const;
     const Kernel& kernel_of(const Group& group);
     void pack(PassContext& context, const std::vector<Group>& groups);
-    const gpu::Program& begin(PassContext& context, const gpu::ProgramDesc& desc) const;
+    const gpu::Program& begin(PassContext& context, gpu::ProgramDesc desc, bool coloured) const;
     void gather(PassContext& context, const Group& group, const Kernel& kernel, int step);
     void average(PassContext& context, const Group& group, const Kernel& kernel);
 

@@ -11,6 +11,7 @@ struct SkinSurface {
     float transmission;
     float mirror;        // strength of the mirror, 0..1
     float mirror_layer;  // of skin_mirrors
+    float thickness;     // of the body: 0 = shadow maps say it, 1 = it is known for other light, 2 = for all
     vec3 limb;           // physics/profile_corrections.h
 };
 
@@ -24,7 +25,8 @@ SkinSurface skin_surface(float number) {
     vec4 layer = texelFetch(skin_surfaces, ivec2(at, 0), 0);
     vec4 diffuse = texelFetch(skin_surfaces, ivec2(at, 1), 0);
     vec4 spread = texelFetch(skin_surfaces, ivec2(at, 2), 0);
-    vec2 mirror = texelFetch(skin_surfaces, ivec2(at, 3), 0).xy;
+    vec3 mirror = texelFetch(skin_surfaces, ivec2(at, 3), 0).xyz;
     vec3 limb = texelFetch(skin_surfaces, ivec2(at, 4), 0).xyz;
-    return SkinSurface(layer, diffuse.xyz, diffuse.w, spread.x, spread.y, spread.z, spread.w, mirror.x, mirror.y, limb);
+    return SkinSurface(layer, diffuse.xyz, diffuse.w, spread.x, spread.y, spread.z, spread.w, mirror.x, mirror.y,
+                       mirror.z, limb);
 }

@@ -16,6 +16,12 @@ ChunkSet operator&(const ChunkSet& a, const ChunkSet& b) {
     return both;
 }
 
+ChunkSet without(const ChunkSet& a, const ChunkSet& b) {
+    ChunkSet rest(a.size());
+    for (size_t i = 0; i < a.size(); ++i) rest[i] = a[i] != 0 && b[i] == 0 ? 1 : 0;
+    return rest;
+}
+
 bool holds(const ChunkSet& whole, const ChunkSet& part) {
     if (whole.size() != part.size()) return false;
     for (size_t i = 0; i < part.size(); ++i)

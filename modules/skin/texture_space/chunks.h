@@ -19,6 +19,7 @@ inline constexpr int kChunkTexels = 64;
 /// Which chunks of an atlas, one byte each: 0 = not.
 using ChunkSet = std::vector<uint8_t>;
 [[nodiscard]] ChunkSet operator&(const ChunkSet& a, const ChunkSet& b);
+[[nodiscard]] ChunkSet without(const ChunkSet& a, const ChunkSet& b);
 /// Whether all of `part` is in `whole`.
 [[nodiscard]] bool holds(const ChunkSet& whole, const ChunkSet& part);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/vec4.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tyndall::skin {
@@ -28,6 +29,22 @@ glm::vec4 packed(const TexelSteps& steps, const glm::ivec2& at) {
     return {steps.along_u, steps.lean, steps.along_v, packed(at)};
 }
 
+/// The atlas' gutters: those far from covered texels, then those near, then padding; and how many are far.
+std::pair<std::vector<const GutterTexel*>, int> sorted_gutters(const Atlas& atlas) {
+    constexpr int kNear = 2;  // texels; half as many on a coarser map
+    std::vector<uint8_t> near(size_t(atlas.extent()) * size_t(atlas.extent()), 0);
+    for (const AtlasTexel& texel : atlas.texels)
+        for (int y = -kNear; y <= kNear; ++y)
+            for (int x = -kNear; x <= kNear; ++x) near[atlas.index(texel.at + glm::ivec2(x, y))] = 1;
+    std::vector<const GutterTexel*> sorted;
+    for (const GutterTexel& gutter : atlas.gutters) sorted.push_back(&gutter);
+    const auto pads = sorted.end() - std::ptrdiff_t(atlas.padding);
+    const auto far_end = std::stable_partition(
+        sorted.begin(), pads, [&](const GutterTexel* gutter) { return near[atlas.index(gutter->at)] == 0; });
+    const int far = int(far_end - sorted.begin());
+    return {std::move(sorted), far};
+}
+
 }  // namespace
 
 GpuAtlas::GpuAtlas(const Atlas& atlas, bool surface)
@@ -46,7 +63,10 @@ GpuAtlas::GpuAtlas(const Atlas& atlas, bool surface)
         while (step_list.size() % kChunkTexels != 0) add({.normal = {0.0f, 0.0f, 1.0f}});
     }
     covered = int(step_list.size());
-    for (const GutterTexel& gutter : atlas.gutters) {
+    const auto [sorted, far] = sorted_gutters(atlas);
+    far_gutters = far;
+    for (const GutterTexel* entry : sorted) {
+        const GutterTexel& gutter = *entry;
         tap_list.emplace_back(packed(gutter.taps[0]), packed(gutter.taps[1]), packed(gutter.taps[2]),
                               packed(gutter.taps[3]));
         weight_list.emplace_back(gutter.weights[0], gutter.weights[1], gutter.weights[2], packed(gutter.at));

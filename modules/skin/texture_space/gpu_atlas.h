@@ -20,16 +20,18 @@ struct GpuAtlas {
 
     // Lists of covered texels have kChunkTexels for each chunk; what a chunk lacks is chart 0 at the map's corner,
     // which no chart and no gutter reaches.
-    gpu::Texture steps;    ///< covered texels, then gutters without padding: TexelSteps, place on the map
-    gpu::Texture charts;   ///< the same: number of the chart
-    gpu::Texture taps;     ///< gutters, padding last: places on the map of the four that they are made of
+    gpu::Texture steps;   ///< covered texels, then gutters without padding: TexelSteps, place on the map
+    gpu::Texture charts;  ///< the same: number of the chart
+    gpu::Texture taps;  ///< gutters, those next to covered texels and padding last: places on the map of the four that
+                        ///< they are made of
     gpu::Texture weights;  ///< the same: of the first three taps, and the gutter's place on the map
     gpu::Texture gutter_charts;
     gpu::Texture places;   ///< covered texels: in the mesh's space, place on the map
     gpu::Texture normals;  ///< the same: in the mesh's space, as long as 1 + curvature (1/m), chart
     int extent = 0;
-    int covered = 0;  ///< entries
-    int gutters = 0;  ///< without padding
+    int covered = 0;      ///< entries
+    int gutters = 0;      ///< without padding
+    int far_gutters = 0;  ///< of them, which come first: not within two texels of a covered one
     int padding = 0;
 
     /// A map of this atlas, black.

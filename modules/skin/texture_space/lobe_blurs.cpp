@@ -44,15 +44,17 @@ const gpu::Program& use(gpu::ShaderLibrary& shaders, std::string_view shader, st
 
 }  // namespace
 
-void fill_gutters(gpu::ShaderLibrary& shaders, const gpu::Texture& map, const GpuAtlas& atlas, bool pads) {
-    const int count = atlas.gutters + (pads ? atlas.padding : 0);
+void fill_gutters(gpu::ShaderLibrary& shaders, const gpu::Texture& map, const GpuAtlas& atlas, Gutters which) {
+    const int begin = which == Gutters::near ? atlas.far_gutters : 0;
+    const int end = atlas.gutters + (which == Gutters::near ? atlas.padding : 0);
     const gpu::Program& program = use(shaders, "fill");
     program.image("map", map, 0, true);
     bind_list(program, "taps", atlas.taps);
     bind_list(program, "weights", atlas.weights);
     bind_list(program, "gutter_charts", atlas.gutter_charts);
-    program.set("list_size", unsigned(count));
-    dispatch_list(count);
+    program.set("list_begin", unsigned(begin));
+    program.set("list_size", unsigned(end));
+    dispatch_list(end - begin);
 }
 
 LobeBlurs::LobeBlurs(const std::array<Atlas, kLevels>& atlases) : kernels_(make_kernels()) {
@@ -93,16 +95,16 @@ void LobeBlurs::run(gpu::ShaderLibrary& shaders, const physics::DiffusionProfile
         blur(shaders, lobe, std::exchange(sharp, glm::vec3(0.0f)));
     }
     for (; level > 0; --level) {
-        fill_gutters(shaders, levels_[size_t(level)].total, levels_[size_t(level)].atlas, true);
+        fill_gutters(shaders, levels_[size_t(level)].total, levels_[size_t(level)].atlas, Gutters::near);
         grow(shaders, level - 1, glm::vec3(0.0f));
     }
     if (plan_.blurs.empty()) grow(shaders, 0, sharp);
-    fill_gutters(shaders, levels_[0].total, levels_[0].atlas, true);
+    fill_gutters(shaders, levels_[0].total, levels_[0].atlas, Gutters::near);
 }
 
 void LobeBlurs::shrink(gpu::ShaderLibrary& shaders, int to) const {
     const Level &fine = levels_[size_t(to) - 1], &level = levels_[size_t(to)];
-    fill_gutters(shaders, fine.light, fine.atlas, true);
+    fill_gutters(shaders, fine.light, fine.atlas, Gutters::near);
     const gpu::Program& program = use(shaders, "shrink");
     program.image("fine", fine.light, 0, false);
     program.image("map", level.light, 0, true);
@@ -115,7 +117,7 @@ void LobeBlurs::shrink(gpu::ShaderLibrary& shaders, int to) const {
 
 void LobeBlurs::blur(gpu::ShaderLibrary& shaders, const LobeBlur& lobe, const glm::vec3& sharp) {
     Level& level = levels_[size_t(lobe.level)];
-    fill_gutters(shaders, level.light, level.atlas, false);
+    fill_gutters(shaders, level.light, level.atlas, Gutters::all);
     half_blur(shaders, lobe, sharp, true);
     half_blur(shaders, lobe, sharp, false);
     level.begun = true;

@@ -57,7 +57,9 @@ class LobeBlurs {
     bool leans_ = false;
 };
 
-/// Fills a map's gutters, and what pads charts.
-void fill_gutters(gpu::ShaderLibrary& shaders, const gpu::Texture& map, const GpuAtlas& atlas, bool pads);
+/// What blurs look at, or what bilinear lookups within charts do: gutters next to charts, and what pads charts.
+enum class Gutters { all, near };
+/// Fills a map's gutters.
+void fill_gutters(gpu::ShaderLibrary& shaders, const gpu::Texture& map, const GpuAtlas& atlas, Gutters which);
 
 }  // namespace tyndall::skin

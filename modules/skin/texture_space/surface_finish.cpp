@@ -15,8 +15,7 @@ bool known(const TextureSlot& slot) {
 }  // namespace
 
 float usable_pre_scatter(const Material& material, float wanted) {
-    const TextureSlot& slot = material.base_colour_texture;
-    return slot.texture && slot.uv_set != 0 ? 0.0f : wanted;
+    return known(material.base_colour_texture) ? wanted : 0.0f;
 }
 
 void bind_slot(const gpu::Program& program, GpuScene& scene, const std::string& name, const TextureSlot& slot) {

@@ -24,7 +24,8 @@ class SurfaceFinish {
     std::string made_from_;
 };
 
-/// The power that can be used: maps by another UV set than the light map's are not known there.
+/// The power that can be used: maps by another UV set than the light map's are not known there, and even colour cancels
+/// out.
 [[nodiscard]] float usable_pre_scatter(const Material& material, float wanted);
 /// Sets the uniforms `NAME_rows[0..1]` (of a map's UV transform) and the texture `NAME`; white without a map.
 void bind_slot(const gpu::Program& program, GpuScene& scene, const std::string& name, const TextureSlot& slot);

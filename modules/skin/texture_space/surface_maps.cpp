@@ -64,21 +64,22 @@ void SurfaceMaps::choose(const ChunkSet& set) {
 
 void SurfaceMaps::spread(gpu::ShaderLibrary& shaders, const physics::DiffusionProfile& profile) {
     if (blurs_) return blurs_->run(shaders, profile);
-    fill_gutters(shaders, light_, *atlas_, false);
-    const gpu::Program& program = shaders.program(
-        {.name = "skin.texture_space.hable", .compute = "skin/texture_space/hable.comp", .defines = {"CHUNKS"}});
+    fill_gutters(shaders, light_, *atlas_, Gutters::all);
+    const std::vector<HableTap> taps = merged(hable_taps(profile), kMergedTexels * texel_m_);
+    // uniforms at places that are known are cheaper where each lane loads its own
+    const gpu::Program& program = shaders.program({.name = "skin.texture_space.hable",
+                                                   .compute = "skin/texture_space/hable.comp",
+                                                   .defines = {"CHUNKS", fmt::format("TAPS {}", taps.size())}});
     program.use();
     program.image("map", light_, 0, false);
     program.image("result", result_, 0, true);
     bind_list(program, "steps", atlas_->steps);
-    const std::vector<HableTap> taps = merged(hable_taps(profile), kMergedTexels * texel_m_);
-    program.set("taps", int(taps.size()));
     for (size_t i = 0; i < taps.size(); ++i) {
         program.set(fmt::format("tap_offsets[{}]", i), taps[i].offset);
         program.set(fmt::format("tap_weights[{}]", i), taps[i].weight);
     }
     chosen_.dispatch(program);
-    fill_gutters(shaders, result_, *atlas_, true);
+    fill_gutters(shaders, result_, *atlas_, Gutters::near);
 }
 
 glm::vec4 SurfaceMaps::map_from_uv() const {

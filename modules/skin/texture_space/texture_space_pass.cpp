@@ -1,27 +1,21 @@
 #include "texture_space/texture_space_pass.h"
 
-#include <epoxy/gl.h>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 
-#include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/frustum.h"
 #include "render/gpu_scene.h"
 #include "render/light_state.h"
 #include "render/pixel_rectangle.h"
+#include "seen_mesh.h"
 #include "seen_rectangle.h"
 #include "texture_space/hable_taps.h"
 
 namespace tyndall::skin {
 namespace {
-
-bool has_volume(const Surface& surface) {
-    const float volume = glm::determinant(glm::mat3(surface.transform));
-    return volume != 0.0f && std::isfinite(volume);
-}
 
 void bind_texels(const gpu::Program& program, const Surface& surface, const SurfaceMaps& maps) {
     program.image("map", maps.light(), 0, true);
@@ -80,7 +74,10 @@ TextureSpacePass::TextureSpacePass(std::shared_ptr<SkinTables> tables, const Ski
     : tables_(std::move(tables)),
       settings_(settings),
       light_programs_(
-          {.name = "skin.texture_space.light", .compute = "skin/texture_space/light.comp", .defines = {"CHUNKS"}}) {}
+          {.name = "skin.texture_space.light", .compute = "skin/texture_space/light.comp", .defines = {"CHUNKS"}}),
+      first_light_programs_({.name = "skin.texture_space.first_light",
+                             .compute = "skin/texture_space/light.comp",
+                             .defines = {"CHUNKS", "BEGINS"}}) {}
 
 void TextureSpacePass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::diffusion)
@@ -107,7 +104,7 @@ void TextureSpacePass::render(PassContext& context, size_t index, MapTechnique t
     if (!usable_.usable(*surface.mesh, surface.material->name)) return;
     const Stretch stretch = stretch_of(surface.transform);
     const Drawn drawn{surface,
-                      float(index + 1),
+                      index,
                       technique,
                       stretch,
                       surface.diffusion->profile.scaled(1.0f / stretch.scale),
@@ -173,71 +170,75 @@ std::string TextureSpacePass::state_of(PassContext& context, const Drawn& drawn)
     return state;
 }
 
-/// Fills the map with what enters.
+/// Fills the map with what enters. Where nothing comes from all around the first light begins it, as far as it reaches.
 void TextureSpacePass::light(PassContext& context, const Drawn& drawn, const ChunkSet& set) {
     Frame& frame = context.frame();
-    gpu::ProgramDesc desc{
-        .name = "skin.texture_space.enter", .compute = "skin/texture_space/enter.comp", .defines = {"CHUNKS"}};
-    if (!has_light_all_around(frame.scene) && frame.seams.providers(Seam::indirect_light).size() <= 1)
-        desc.defines.emplace_back("DARK");
-    const gpu::Program& begin = frame.shaders.program(desc);
-    begin.use();
-    bind_frame(begin, frame);
-    frame.seams.bind(Seam::indirect_light, begin, context);
-    bind_texels(begin, drawn.surface, drawn.maps);
-    list_.update(drawn.maps.atlas(), set, false);
-    list_.dispatch(begin);
-
+    const std::vector<Light>& lights = frame.scene.lights;
     const glm::mat4 local_from_world = glm::inverse(drawn.surface.transform);
+    const auto lit_by = [&](size_t light) {
+        return set & drawn.maps.chunks().lit_from(place_of(lights[light], local_from_world));
+    };
+    const bool dark = !has_light_all_around(frame.scene) && frame.seams.providers(Seam::indirect_light).size() <= 1;
+    const bool light_begins = dark && !lights.empty();
+    begin(context, drawn, light_begins ? without(set, lit_by(0)) : set, dark);
+    first_light_programs_.begin();
     light_programs_.begin();
-    for (size_t i = 0; i < frame.scene.lights.size(); ++i) {
-        const glm::vec4 place = place_of(frame.scene.lights[i], local_from_world);
-        const ChunkSet lit = set & drawn.maps.chunks().lit_from(place);
-        const gpu::Program& program = light_programs_.use(frame, i, [&](const gpu::Program& fresh) {
+    for (size_t i = 0; i < lights.size(); ++i) {
+        LightPrograms& programs = i == 0 && light_begins ? first_light_programs_ : light_programs_;
+        const gpu::Program& program = programs.use(frame, i, [&](const gpu::Program& fresh) {
             frame.seams.bind(Seam::light_transmittance, fresh, context);
             tables_->bind(fresh, frame.scene);
             bind_texels(fresh, drawn.surface, drawn.maps);
-            fresh.set("number", drawn.number);
+            fresh.set("layers", tables_->layers(drawn.index));
         });
         program.set("light_index", unsigned(i));
-        list_.update(drawn.maps.atlas(), lit, false);
+        list_.update(drawn.maps.atlas(), lit_by(i), false);
         list_.dispatch(program);
     }
 }
 
-void TextureSpacePass::draw(PassContext& context, const Drawn& drawn) {
+/// With light from all around, or nothing.
+void TextureSpacePass::begin(PassContext& context, const Drawn& drawn, const ChunkSet& set, bool dark) {
     Frame& frame = context.frame();
-    const Material& material = *drawn.surface.material;
-    const bool coloured = drawn.pre_scatter > 0.0f;
-    gpu::ProgramDesc desc{.name = "skin.texture_space.surface",
-                          .vertex = "skin/texture_space/surface.vert",
-                          .fragment = "skin/texture_space/surface.frag"};
-    if (coloured) desc.defines.emplace_back("COLOURED");
-    if (drawn.pre_scatter == 0.5f) desc.defines.emplace_back("ROOT");
-    context.bind_targets();
+    gpu::ProgramDesc desc{
+        .name = "skin.texture_space.enter", .compute = "skin/texture_space/enter.comp", .defines = {"CHUNKS"}};
+    if (dark) desc.defines.emplace_back("DARK");
     const gpu::Program& program = frame.shaders.program(desc);
     program.use();
     bind_frame(program, frame);
-    for (const char* target : {"scene_depth", "gbuffer_surface"})
-        program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
-    tables_->bind_surfaces(program, frame.scene);
+    frame.seams.bind(Seam::indirect_light, program, context);
+    bind_texels(program, drawn.surface, drawn.maps);
+    list_.update(drawn.maps.atlas(), set, false);
+    list_.dispatch(program);
+}
+
+/// The mesh once more, where it is what is seen.
+void TextureSpacePass::draw(PassContext& context, const Drawn& drawn) {
+    static constexpr std::string_view kTargets[] = {"light_diffuse", "scene_depth"};
+    Frame& frame = context.frame();
+    const Material& material = *drawn.surface.material;
+    const glm::vec3& limb = drawn.surface.diffusion->corrections.limb;
+    const bool coloured = drawn.pre_scatter > 0.0f;
+    gpu::ProgramDesc desc{.name = "skin.texture_space.surface",
+                          .vertex = "skin/surface.vert",
+                          .fragment = "skin/texture_space/surface.frag"};
+    if (coloured) desc.defines.emplace_back("COLOURED");
+    if (drawn.pre_scatter == 0.5f) desc.defines.emplace_back("ROOT");
+    if (limb != glm::vec3(0.0f)) desc.defines.emplace_back("LIMB");
+    context.bind_targets(kTargets, -1);
+    const gpu::Program& program = frame.shaders.program(desc);
+    program.use();
+    bind_frame(program, frame);
+    program.texture("gbuffer_surface", context.texture("gbuffer_surface"), {.filter = gpu::Filter::nearest});
     program.texture("map", drawn.maps.result(), {.filter = gpu::Filter::linear});
     program.set("map_from_uv", drawn.maps.map_from_uv());
-    program.set("number", drawn.number);
-    program.set("world_from_local", drawn.surface.transform);
-    program.set("clip_from_world", frame.block.view_projection);
+    program.set("limb", limb);
     if (coloured) {
         program.set("base_colour", glm::vec3(material.base_colour));
         program.set("pre_scatter", drawn.pre_scatter);
         bind_slot(program, frame.gpu_scene, "base_colour_map", material.base_colour_texture);
     }
-    const DrawState state(DepthState::off);
-    const bool mirrored = glm::determinant(glm::mat3(drawn.surface.transform)) < 0.0f;
-    if (!material.double_sided) glEnable(GL_CULL_FACE);
-    glFrontFace(mirrored ? GL_CW : GL_CCW);
-    frame.gpu_scene.draw_mesh(*drawn.surface.mesh);
-    glDisable(GL_CULL_FACE);
-    glFrontFace(GL_CCW);
+    draw_seen_mesh(program, drawn.surface, frame);
 }
 
 }  // namespace tyndall::skin

@@ -27,7 +27,7 @@ class TextureSpacePass final : public Pass {
     /// A surface in its frame.
     struct Drawn {
         const Surface& surface;
-        float number;  ///< in gbuffer_surface
+        size_t index;  ///< in the scene
         MapTechnique technique;
         Stretch stretch;
         physics::DiffusionProfile profile;  ///< metres of the map
@@ -40,13 +40,14 @@ class TextureSpacePass final : public Pass {
     [[nodiscard]] std::string state_of(PassContext& context, const Drawn& drawn) const;
     void make(PassContext& context, const Drawn& drawn, const ChunkSet& seen);
     void light(PassContext& context, const Drawn& drawn, const ChunkSet& set);
+    void begin(PassContext& context, const Drawn& drawn, const ChunkSet& set, bool dark);
     void draw(PassContext& context, const Drawn& drawn);
 
     std::shared_ptr<SkinTables> tables_;
     const SkinSettings& settings_;
     Kept<MapKey, std::unique_ptr<SurfaceMaps>> maps_;
     UsableMaps usable_;
-    LightPrograms light_programs_;
+    LightPrograms light_programs_, first_light_programs_;
     ChunkList list_;  ///< for one dispatch
 };
 

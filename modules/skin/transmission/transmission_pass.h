@@ -16,7 +16,8 @@ enum class SpreadIn { light_or_screen, map };
 
 /// Adds to the light buffer what of lights with shadow maps has come through the skin to where it is seen (after
 /// Jimenez et al., Real-Time Realistic Skin Translucency, 2010): before light spreads on the screen, after it has in
-/// the map.
+/// the map. Where the body's thickness is known, light without a shadow map comes through as through a slab as thick,
+/// and all light where the scene wants it.
 class TransmissionPass final : public Pass {
  public:
     TransmissionPass(std::shared_ptr<SkinTables> tables, const SkinSettings& settings, SpreadIn spread);
@@ -28,11 +29,16 @@ class TransmissionPass final : public Pass {
     void execute(PassContext& context) override;
 
  private:
+    void rings(PassContext& context);
+    void slabs(PassContext& context, float largest_use);
+    void around(PassContext& context);
+    void bind(PassContext& context, const gpu::Program& program, float least_use);
+
     std::shared_ptr<SkinTables> tables_;
     const SkinSettings& settings_;
     SpreadIn spread_;
     TransmissionTables shares_;
-    LightPrograms programs_;
+    LightPrograms ring_programs_, slab_programs_;
 };
 
 }  // namespace tyndall::skin

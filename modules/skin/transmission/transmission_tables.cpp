@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "skin_plan.h"
+
 namespace tyndall::skin {
 namespace {
 
@@ -33,11 +35,6 @@ std::array<glm::vec4, 3> box_of(const Surface& surface) {
     world_from_box[3] = surface.transform * glm::vec4(middle, 1.0f);
     const glm::mat4 rows = glm::transpose(glm::inverse(world_from_box));
     return {rows[0], rows[1], rows[2]};
-}
-
-bool has_volume(const Surface& surface) {
-    const float volume = glm::determinant(glm::mat3(surface.transform));
-    return volume != 0.0f && std::isfinite(volume);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // The technique disc's second half: what the rings of nine pixels have found, and each pixel's own middle.
 #include "render/shaders/frame.glsl"
 #include "render/shaders/gbuffer.glsl"
-#include "skin/surfaces.glsl"
+#include "skin/screen/colour.glsl"
 
 uniform sampler2D gbuffer_surface;
 uniform sampler2D from;        // light from the rings, metres along the eye's axis
@@ -23,5 +23,5 @@ void main() {
         vec4 ring = texelFetch(from, clamp(pixel + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last), 0);
         sum += abs(ring.a - here.a) < same ? vec4(ring.rgb, 1.0) : vec4(0.0);
     }
-    result = vec4(mix(sum.rgb / max(sum.a, 1.0), here.rgb, middle), 0.0);
+    result = vec4(mix(sum.rgb / max(sum.a, 1.0), here.rgb, middle) / skin_colour(pixel, skin), 0.0);
 }

@@ -5,7 +5,7 @@
 // another part of the body, or the plane's bend; it then counts less, as the kernel's widest Gaussian would have it.
 #include "render/shaders/frame.glsl"
 #include "render/shaders/gbuffer.glsl"
-#include "skin/surfaces.glsl"
+#include "skin/screen/colour.glsl"
 
 uniform sampler2D gbuffer_surface;
 uniform sampler2D from;        // irradiance, metres along the eye's axis; 0 = no skin
@@ -93,6 +93,7 @@ void main() {
     light = mix(middle.rgb, light / max(total, vec3(1e-9)), greaterThan(total, vec3(1e-6)));
 #ifdef LAST
     light = mix(texelFetch(skin_light, pixel, 0).rgb, light, share);
+    light /= skin_colour(pixel, skin);
 #endif
     result = mine ? vec4(light, middle.a) : middle;
 }

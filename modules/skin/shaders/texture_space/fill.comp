@@ -1,13 +1,14 @@
-// Fills the gutters with what lies across the border.
+// Fills the gutters, from the list's entry list_begin on, with what lies across the border.
 #include "skin/texture_space/atlas.glsl"
 
 layout(rgba32f) uniform image2D map;
 layout(rgba32f) readonly uniform image2D taps;
 layout(rgba32f) readonly uniform image2D weights;
 layout(r32f) readonly uniform image2D gutter_charts;
+uniform uint list_begin;
 
 void main() {
-    uint entry = list_entry();
+    uint entry = list_begin + list_entry();
     if (entry >= list_size) return;
     vec4 from = imageLoad(taps, list_texel(entry));
     vec4 weight = imageLoad(weights, list_texel(entry));

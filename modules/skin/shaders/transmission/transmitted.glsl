@@ -5,13 +5,10 @@
 // rings, T(|s, low|) - T(|s, high|), if how much arrives goes by the distance alone: flat slabs are exact whatever light's
 // angle, and where thickness changes light comes from beside.
 #include "render/shaders/lights.glsl"
-#include "skin/surfaces.glsl"
+#include "skin/transmission/shares.glsl"
 #include "seams/light_transmittance.glsl"
 
 uniform sampler2DArray skin_shadow_depths;
-uniform sampler2D skin_through;           // a row of shares each: TransmissionTables
-uniform sampler2D skin_through_surfaces;  // rows: world to the surface's box, -1..1; table, its reach, its width
-uniform sampler2DArray skin_mirrors;      // oily_layer.h
 
 /// Rings: outer radius, and where they are looked at, in widths of the table.
 const int SKIN_RINGS = 4;
@@ -21,8 +18,6 @@ const float SKIN_NOTHING = 1e6;
 const float SKIN_STEEPEST = 6.0;
 /// Radians between rings: the golden angle.
 const float SKIN_TURN = 2.3999632;
-/// Cosines up to this are on their way to nothing: there light arrives from the front.
-const float SKIN_GRAZING = 0.2;
 
 /// A look at the scene from the light, around a point.
 struct SkinView {
@@ -90,28 +85,6 @@ ShadowView skin_shadow_view(uint light, vec3 p, vec3 to_light) {
     return found;
 }
 
-/// The surface's row in the table of shares.
-struct SkinThrough {
-    vec4 x, y, z;  // world to box
-    int row;
-    float per_reach;
-    float width;
-};
-
-SkinThrough skin_through_surface(float number) {
-    int at = int(number);
-    vec4 table = texelFetch(skin_through_surfaces, ivec2(at, 3), 0);
-    return SkinThrough(texelFetch(skin_through_surfaces, ivec2(at, 0), 0), texelFetch(skin_through_surfaces, ivec2(at, 1), 0),
-                       texelFetch(skin_through_surfaces, ivec2(at, 2), 0), int(table.x), 1.0 / max(table.y, 1e-9), table.z);
-}
-
-/// Share through a slab of this thickness, squared metres.
-vec3 skin_share(SkinThrough through, float thickness2) {
-    int last = textureSize(skin_through, 0).x - 1;
-    float u = min(sqrt(sqrt(thickness2) * through.per_reach), 1.0);
-    return texelFetch(skin_through, ivec2(int(u * float(last) + 0.5), through.row), 0).rgb;
-}
-
 /// What of the light goes into the light buffer at p, a point of the skin `number` with the mesh's normal n.
 vec3 skin_transmitted(uint light, vec3 p, vec3 n, float number, float roughness) {
     vec3 to_light;
@@ -176,9 +149,7 @@ vec3 skin_transmitted(uint light, vec3 p, vec3 n, float number, float roughness)
     vec2 slope = rise.x == 0.0 && rise.y == 0.0 ? vec2(0.0) : inverse(solved) * rise;
     vec3 entry = normalize(cross(y + slope.y * to_light, x + slope.x * to_light));
     float other_side = clamp(0.5 - 0.5 * dot(entry, n), 0.0, 1.0);
-    vec2 lookup = standard_table_coordinate(max(dot(entry, to_light), 0.0), roughness,
-                                            float(textureSize(skin_mirrors, 0).x));
-    float enters = mix(1.0, textureLod(skin_mirrors, vec3(lookup, skin.mirror_layer), 0.0).x, skin.mirror);
+    float enters = skin_enters(skin, max(dot(entry, to_light), 0.0), roughness);
 
     vec3 from;
     vec3 irradiance = light_irradiance(light, p, from);
