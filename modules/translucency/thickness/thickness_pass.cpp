@@ -86,6 +86,7 @@ const ThicknessPass::Object& ThicknessPass::object_of(const Surface& surface) {
         object.farthest = glm::distance(surface.bounds.low, surface.bounds.high);
         object.through = table_of_passing(optics, settings_.model, object.farthest);
     }
+    object.interior.paint(plan_->paints().of(surface, settings_.model), surface);
     return object;
 }
 
@@ -105,7 +106,7 @@ void ThicknessPass::render(PassContext& context, const SeenSurface& seen) {
     Frame& frame = context.frame();
     const size_t lights = frame.scene.lights.size();
     const bool begins = lights == 0 || has_light_all_around(frame.scene);
-    if (begins) begin_pixels(context, seen, object.interior);
+    if (begins) begin_pixels(context, seen, object.interior, false);
     const glm::mat4 world_from_shape = surface.transform * glm::scale(glm::mat4(1.0f), 1.0f / grid.shape);
     const Bounds& bounds = surface.bounds;
     programs_.begin();
@@ -127,7 +128,7 @@ void ThicknessPass::render(PassContext& context, const SeenSurface& seen) {
         });
         program.set("light_index", unsigned(i));
         program.set("keeps", begins || i > 0 ? 1.0f : 0.0f);
-        dispatch_pixels(seen.pixels.size);
+        dispatch_columns(seen.pixels.size);
     }
 }
 

@@ -76,6 +76,7 @@ TsmPass::Object& TsmPass::object_of(const Surface& surface) {
                            ? 1.0f / glm::max(object.size.surface.sent_out(kernel), glm::vec3(1e-3f))
                            : glm::vec3(1.0f);
     }
+    object.interior.paint(plan_->paints().of(surface, settings_.model), surface);
     return object;
 }
 
@@ -87,7 +88,7 @@ void TsmPass::render(PassContext& context, const Drawn& drawn) {
         if (drawn.object.maps[i].sees) make_kernels(drawn, drawn.object.maps[i]);
     }
     const bool begins = scene.lights.empty() || has_light_all_around(scene);
-    if (begins) begin_pixels(context, drawn.seen, drawn.object.interior);
+    if (begins) begin_pixels(context, drawn.seen, drawn.object.interior, true);
     gather_programs_.begin();
     for (size_t i = 0; i < scene.lights.size(); ++i) gather(context, drawn, i, begins || i > 0);
 }
@@ -104,6 +105,7 @@ void TsmPass::see(PassContext& context, const Drawn& drawn, size_t light) {
     append_state(state, drawn.object.size.radius);
     append_state(state, optics_of(*surface.interior));
     append_state(state, settings_.scaling);
+    append_state(state, plan_->paints().of(surface, settings_.model));
     append_state(state, texels());
     if (state == map.made_from) return;
     map.made_from = std::move(state);

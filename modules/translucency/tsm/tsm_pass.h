@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "body_size.h"
-#include "interior_block.h"
+#include "interior_buffers.h"
 #include "render/frame_graph.h"
 #include "render/kept.h"
 #include "render/light_programs.h"

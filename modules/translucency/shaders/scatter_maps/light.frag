@@ -60,7 +60,8 @@ vec3 entered_here(Seen seen, out float cosine) {
     vec3 to_light;
     vec3 irradiance = light_irradiance(light_index, seen.place, to_light);
     cosine = clamp(dot(seen.normal, to_light), 0.0, 1.0);
-    return irradiance * light_transmittance(light_index, seen.place, seen.normal) * entering(cosine) * multiple_share(cosine);
+    return irradiance * light_transmittance(light_index, seen.place, seen.normal) * entering(cosine) * multiple_share(cosine) *
+           enters_to_wander(seen.place);
 }
 
 Leaving local(Seen seen, vec3 start) {
@@ -94,7 +95,7 @@ void main() {
     for (int turns = seen_here(solid.extinction.w, seen) ? 1 : 0; turns > 0; --turns) {
         vec3 start = light_place(seen.place);
 #ifndef FORM_GREEN
-        gathered.rgb += scattered_once(seen, start) * seen.leaves * seen.scale;
+        gathered.rgb += scattered_once(seen, start) * seen.leaves * seen.scale / paint_ends_at(seen.place).rgb;  // which mix.comp takes all light times
 #endif
 #ifndef ONCE
         float cosine = standard_nov(seen.normal, -eye_ray(gl_FragCoord.xy / frame.size_time.xy));

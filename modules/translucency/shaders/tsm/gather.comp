@@ -159,7 +159,7 @@ void main() {
     vec3 to_light;
     vec3 irradiance = light_irradiance(light_index, pixel.place, to_light);
     float cosine = clamp(dot(pixel.normal, to_light), 0.0, 1.0);
-    irradiance *= light_transmittance(light_index, pixel.place, pixel.normal);
+    irradiance *= light_transmittance(light_index, pixel.place, pixel.normal) * enters_to_wander(pixel.place);
     vec3 even = irradiance * entering(cosine) * leaving_share(cosine);
     vec3 own = even;
     vec3 others = vec3(0.0);

@@ -51,7 +51,7 @@ void main() {
         vec3 axis = vec3(view_from_world[0].z, view_from_world[1].z, view_from_world[2].z);
         float area = share * metres * metres * mix(1.0, -dot(to_light, axis), perspective);
         irradiance *= light_transmittance(light_index, p, normal);
-        found.rgb = irradiance * (area * (1.0 - fresnel_dielectric(cosine, interior_eta()))) * leaving_share(cosine);
+        found.rgb = irradiance * (area * (1.0 - fresnel_dielectric(cosine, interior_eta()))) * leaving_share(cosine) * enters_to_wander(p);
         // it begins to spread where it first collides
         float z = entry.w + (1.0 - cosine * cosine) * first_path() - window.w;
         found.a = luminance_rec709(found.rgb) * z;
