@@ -60,6 +60,7 @@ class Splats {
             for (int y = 0; y < grid_.size.y; ++y)
                 for (int x = 0; x < grid_.size.x; ++x) widen({x, y, z}, sums, weights);
     }
+    [[nodiscard]] bool knows(size_t voxel) const { return weights_[voxel] > 0.0f; }
     [[nodiscard]] std::vector<Value> means() const {
         std::vector<Value> means(sums_.size(), Value(0.0f));
         for (size_t i = 0; i < means.size(); ++i)

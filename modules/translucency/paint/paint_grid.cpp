@@ -20,6 +20,8 @@ constexpr int kLevels = 10;  ///< 2 to this power points that hear from each oth
 constexpr int kRounds = 6;
 /// Where hardly anything is open the kernel's scale means nothing; it stays within this.
 constexpr float kMostScale = 16.0f;
+/// Rounds of filling what lies between the points: few are needed, since they are even.
+constexpr int kMostWidening = 32;
 /// Closed points count little for what is known where it is open.
 constexpr float kClosedWeight = 1e-3f;
 
@@ -55,6 +57,7 @@ void for_pieces(const Mesh& mesh, size_t triangle, float side, const Visit& visi
 /// The open share of the surface, and the mean colour of what is painted.
 struct Cover {
     std::vector<float> open;
+    std::vector<size_t> voxels;  ///< those that places of the surface look at
     glm::vec3 colour{0.0f};
 };
 
@@ -69,8 +72,13 @@ Cover cover_of(const Mesh& mesh, const Paint& paint, const SurfaceGrid& grid) {
             colour += double(area * here.w) * glm::dvec3(here);
             painted += double(area * here.w);
         });
+    Cover cover;
+    for (size_t i = 0; i < grid.count(); ++i)
+        if (splats.knows(i)) cover.voxels.push_back(i);
     splats.widen();
-    return {splats.means(), glm::vec3(colour / std::max(painted, 1e-30))};
+    cover.open = splats.means();
+    cover.colour = glm::vec3(colour / std::max(painted, 1e-30));
+    return cover;
 }
 
 /// The kernel between the points, each row's sum 1, looked up by the root of the distance.
@@ -116,13 +124,14 @@ class Hearing {
     std::vector<glm::vec3> table_, rows_;
 };
 
-/// T of a place that hears of so much open surface.
-glm::vec3 leaving_share(const PaintedBody& body, const glm::vec3& colour, const glm::vec3& open) {
+/// Turns the open share that places hear of into T.
+void make_leaving(std::vector<glm::vec3>& shares, const PaintedBody& body, const glm::vec3& colour) {
     const glm::vec3 returned =
         physics::HalfSpace(body_albedo(body.optics, body.radius), body.optics.eta).diffuse_leaving();
     const glm::vec3 inside = (1.0f - returned) / glm::max(returned, glm::vec3(1e-6f));
     const glm::vec3 absorbed = (1.0f - colour) / physics::diffuse_transmission(body.optics.eta);
-    return open * (1.0f + inside) / glm::max(inside + open + (1.0f - open) * absorbed, glm::vec3(1e-6f));
+    for (glm::vec3& open : shares)
+        open *= (1.0f + inside) / glm::max(inside + open + (1.0f - open) * absorbed, glm::vec3(1e-6f));
 }
 
 }  // namespace
@@ -142,7 +151,7 @@ PaintGrid make_paint_grid(const Mesh& mesh, const Paint& paint, const PaintedBod
     const Hearing hearing(points, body, glm::distance(mesh.bounds.low, mesh.bounds.high));
     std::vector<glm::vec3> leaving = hearing.of(open);
     std::ranges::fill(scales, glm::vec3(1.0f));
-    for (glm::vec3& share : leaving) share = leaving_share(body, cover.colour, share);
+    make_leaving(leaving, body, cover.colour);
     for (int round = 0; round < kRounds; ++round) {
         for (size_t i = 0; i < points.size(); ++i) spoken[i] = scales[i] * open[i];
         const std::vector<glm::vec3> heard = hearing.of(spoken);
@@ -156,7 +165,8 @@ PaintGrid make_paint_grid(const Mesh& mesh, const Paint& paint, const PaintedBod
         ends.add(points[i].position, scales[i], weight);
         shares.add(points[i].position, leaving[i], weight);
     }
-    for (int i = 0; i < 3; ++i) {
+    const auto unknown = [&](size_t voxel) { return !ends.knows(voxel); };
+    for (int i = 0; i < kMostWidening && (i < 2 || std::ranges::any_of(cover.voxels, unknown)); ++i) {
         ends.widen();
         shares.widen();
     }

@@ -43,7 +43,7 @@ ScatterMapsPass::ScatterMapsPass(std::shared_ptr<TechniquePlan> plan, const Tran
     : plan_(std::move(plan)),
       settings_(settings),
       entry_programs_({.name = "translucency.scatter_maps.entry",
-                       .vertex = "translucency/scatter_maps/map.vert",
+                       .vertex = "translucency/light_view.vert",
                        .fragment = "translucency/scatter_maps/entry.frag"}) {}
 
 void ScatterMapsPass::declare(PassDeclaration& declaration) {
