@@ -64,8 +64,7 @@ uint32_t features_of(const Material& material) {
     if (through) features |= kDiffuseTransmission;
     if (painted) features |= kPaint;
     for (size_t i = 0; i < kMaps; ++i) {
-        if (!slots[i]->texture || (!through && (kThroughMaps & (1u << i)) != 0) ||
-            (!painted && (1u << i) == kPaintMap))
+        if (!slots[i]->texture || (!through && (kThroughMaps & (1u << i)) != 0) || (!painted && (1u << i) == kPaintMap))
             continue;
         features |= 1u << i;
         if (slots[i]->uv_set != 0 || slots[i]->uv_transform != glm::mat3(1.0f)) features |= kUvTransform;

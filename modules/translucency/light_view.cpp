@@ -19,8 +19,8 @@ struct Block {
     glm::vec4 perspective_texel;
 };
 
-/// Rigid, looking from `eye` along `forward`, which is the view's +z: a mirrored space, so that faces turn as they do in
-/// a camera's picture.
+/// Rigid, looking from `eye` along `forward`, which is the view's +z: a mirrored space, so that faces turn as they do
+/// in a camera's picture.
 glm::mat4 looking(const glm::vec3& eye, const glm::vec3& forward, const glm::vec3& about_right) {
     const glm::vec3 side = about_right - glm::dot(about_right, forward) * forward;
     const glm::vec3 other = glm::cross(forward, std::abs(forward.x) < 0.8f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0));
@@ -70,8 +70,8 @@ LightView light_view(const Light& light, const Mesh& mesh, const glm::mat4& tran
     view.perspective = light.kind != LightKind::directional;
     const glm::vec3 way = middle - place, travel = -glm::normalize(glm::vec3(light.transform[2]));
     view.middle_z = view.perspective ? glm::length(way) : 0.0f;
-    view.view_from_world = looking(view.perspective ? place : middle, view.middle_z > 0.0f ? way / view.middle_z : travel,
-                                   glm::vec3(light.transform[0]));
+    view.view_from_world = looking(view.perspective ? place : middle,
+                                   view.middle_z > 0.0f ? way / view.middle_z : travel, glm::vec3(light.transform[0]));
     const Bounds span = spanned(view, mesh, transform);
     const float extent = std::max(span.high.x - span.low.x, span.high.y - span.low.y);
     if (mesh.positions.empty() || !(extent > 0.0f) || !std::isfinite(extent)) return view;

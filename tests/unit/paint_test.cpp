@@ -52,8 +52,7 @@ TEST(PaintGrid, EvenWhitePaintKeepsAllLight) {
 TEST(PaintGrid, DarkPaintAndDarkBodiesGiveLess) {
     const Mesh ball = make_primitive(Primitive::sphere, 64);
     const auto even = [&](float colour, float absorption) {
-        const PaintGrid grid =
-            make_paint_grid(ball, {0.5f, glm::vec3(colour), {}}, body_of(glm::vec3(absorption)), 32);
+        const PaintGrid grid = make_paint_grid(ball, {0.5f, glm::vec3(colour), {}}, body_of(glm::vec3(absorption)), 32);
         return looked_up(grid, grid.even, {0.0f, 0.5f, 0.0f}).x;
     };
     const float white = even(1.0f, 0.0f), grey = even(0.5f, 0.0f), black = even(0.0f, 0.0f), dark = even(1.0f, 100.0f);

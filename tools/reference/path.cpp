@@ -460,8 +460,7 @@ bool PathTracer::meet_boundary(Path& path, const SurfacePoint& point, uint32_t s
     return rough_boundary(path, point, surface, crossing);
 }
 
-bool PathTracer::meet_paint(Path& path, const SurfacePoint& point, const Material& material,
-                            const vec3& colour) const {
+bool PathTracer::meet_paint(Path& path, const SurfacePoint& point, const Material& material, const vec3& colour) const {
     MaterialPoint m;
     m.base_colour = colour;
     m.roughness = material.roughness;
@@ -469,8 +468,8 @@ bool PathTracer::meet_paint(Path& path, const SurfacePoint& point, const Materia
     m.f90 = 0.0f;
     const bool inside = glm::dot(path.ray.direction, point.geometric_normal) > 0.0f;
     if (!inside) {
-        const auto layer = physics::standard_material(colour, 0.0f, material.ior, material.specular,
-                                                      material.specular_colour);
+        const auto layer =
+            physics::standard_material(colour, 0.0f, material.ior, material.specular, material.specular_colour);
         m.f0 = layer.f0;
         m.f90 = layer.f90;
     }

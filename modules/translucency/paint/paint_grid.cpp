@@ -104,8 +104,8 @@ class Hearing {
             for (size_t i = first; i < last; ++i) {
                 glm::vec3 sum(0.0f);
                 for (size_t j = 0; j < points_.size(); ++j)
-                    sum += kernel(glm::distance(points_[i].position, points_[j].position)) *
-                           (points_[j].area * values[j]);
+                    sum +=
+                        kernel(glm::distance(points_[i].position, points_[j].position)) * (points_[j].area * values[j]);
                 heard[i] = sum / glm::max(rows_[i], glm::vec3(1e-20f));
             }
         });

@@ -32,8 +32,8 @@ struct PaintedBody {
 /// Light inside that meets paint is thrown back into the body and leaves elsewhere: what leaves where the surface is
 /// open is more than the open share. Let G be the open share that a place hears of (the mean over the kernel), q what
 /// paint absorbs over what the boundary lets out of light that meets it from inside, and a what the body absorbs over
-/// what it gives back where there is no paint. Of even light then T = G (1 + a) / (a + G + (1 - G) q) leaves. The kernel
-/// is scaled at both ends, which keeps reciprocity, so that T is what it gives.
+/// what it gives back where there is no paint. Of even light then T = G (1 + a) / (a + G + (1 - G) q) leaves. The
+/// kernel is scaled at both ends, which keeps reciprocity, so that T is what it gives.
 struct PaintGrid {
     Bounds box;
     glm::ivec3 size{0};

@@ -37,9 +37,8 @@ void PaintMarkPass::execute(PassContext& context) {
     constexpr float kNothing[4] = {};
     glClearBufferfv(GL_COLOR, 0, kNothing);
     const DrawState state(DepthState::equal);
-    const DrawView view{.clip_from_world = frame.block.view_projection,
-                        .eye = glm::vec3(frame.block.eye_near),
-                        .features = kPaint};
+    const DrawView view{
+        .clip_from_world = frame.block.view_projection, .eye = glm::vec3(frame.block.eye_near), .features = kPaint};
     frame.gpu_scene.draw(view, kShader, [&](const gpu::Program& program) {
         program.texture("light_diffuse", context.texture("light_diffuse"), {.filter = gpu::Filter::nearest});
     });

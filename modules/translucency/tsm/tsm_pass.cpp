@@ -134,8 +134,9 @@ void TsmPass::see(PassContext& context, const Drawn& drawn, size_t light) {
 }
 
 void TsmPass::draw_entries(PassContext& context, const Drawn& drawn, const LightMap& map) {
-    static const gpu::ProgramDesc kDesc{
-        .name = "translucency.tsm.map", .vertex = "translucency/light_view.vert", .fragment = "translucency/tsm/map.frag"};
+    static const gpu::ProgramDesc kDesc{.name = "translucency.tsm.map",
+                                        .vertex = "translucency/light_view.vert",
+                                        .fragment = "translucency/tsm/map.frag"};
     const int size = kSamples * texels();
     if (entries_.name() == 0 || entries_.desc().width != size) {
         framebuffer_ = {};
