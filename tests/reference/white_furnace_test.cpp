@@ -142,7 +142,7 @@ TEST(WhiteFurnace, PaintedInterior) {
         material.ior = eta;
         Surface painted = shape(Primitive::sphere, kUnit, material);
         painted.interior = filled(Primitive::sphere, eta, material.roughness, vec3(0.5f)).interior;
-        expect_white(fmt::format("painted sphere, eta {}", eta), before(painted, true), 1024, kLayer);
+        expect_white(fmt::format("painted sphere, eta {}", eta), before(painted, true), 512, kLayer);
     }
 }
 

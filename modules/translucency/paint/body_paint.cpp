@@ -11,7 +11,7 @@
 namespace tyndall::translucency {
 namespace {
 
-constexpr int kResolution = 64;
+constexpr int kResolution = 48;
 
 gpu::Texture volume_of(glm::ivec3 size, const std::vector<glm::vec4>& voxels) {
     gpu::Texture texture({.shape = gpu::Shape::volume,
@@ -32,10 +32,12 @@ void make(BodyPaint& made, const Surface& surface, Model model) {
     const Optics optics = optics_of(*surface.interior);
     const PaintedBody body{optics, model, metres_of_unit(world_from_stretched(surface, made.shape)),
                            body_radius(surface.mesh->mesh, glm::mat3(surface.transform))};
+    made.closed = body.radius > 0.0f;
     Mesh mesh = stretched(surface.mesh->mesh, made.shape);
     mesh.uv0 = surface.mesh->mesh.uv0;
     if (mesh.uv0.empty() && surface.material->paint_texture.texture)
-        log::warning("translucency: {}: a mesh without UVs has its paint without its texture", surface.mesh->name);
+        log::warning("translucency: {}: a mesh without UVs takes the corner of its paint's texture everywhere",
+                     surface.mesh->name);
     const PaintGrid grid = make_paint_grid(mesh, paint_of(*surface.material), body, kResolution);
     if (grid.empty()) return;
     made.grid_from_shape = glm::scale(glm::mat4(1.0f), 1.0f / (grid.box.high - grid.box.low)) *

@@ -20,6 +20,7 @@ struct BodyPaint {
     glm::mat4 grid_from_shape{1.0f};  ///< from the stretched mesh's space
     glm::vec3 shape{1.0f};
     bool made = false;
+    bool closed = false;  ///< the body encloses something
 };
 
 /// Paint of all bodies, each made once.

@@ -28,11 +28,12 @@ constexpr float kClosedWeight = 1e-3f;
 glm::vec4 paint_at(const Paint& paint, const Mesh& mesh, size_t triangle, const glm::vec3& barycentric) {
     glm::vec4 at(paint.colour, paint.cover);
     const TextureSlot& slot = paint.texture;
-    if (!slot.texture || mesh.uv0.empty()) return at;
-    glm::vec3 uv(0.0f);
-    for (int i = 0; i < 3; ++i)
-        uv += barycentric[i] * glm::vec3(mesh.uv0[mesh.indices[3 * triangle + size_t(i)]], 1.0f);
-    at *= sample_texture(*slot.texture, glm::vec2(slot.uv_transform * uv), slot.texture->wrap_u, slot.texture->wrap_v);
+    if (!slot.texture) return at;
+    glm::vec2 uv(0.0f);
+    if (!mesh.uv0.empty())
+        for (int i = 0; i < 3; ++i) uv += barycentric[i] * mesh.uv0[mesh.indices[3 * triangle + size_t(i)]];
+    const glm::vec3 looked_up = slot.uv_transform * glm::vec3(uv, 1.0f);
+    at *= sample_texture(*slot.texture, glm::vec2(looked_up), slot.texture->wrap_u, slot.texture->wrap_v);
     return glm::clamp(at, 0.0f, 1.0f);
 }
 

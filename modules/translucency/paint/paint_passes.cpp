@@ -22,8 +22,8 @@ bool any_paint(const RenderScene& scene) {
 
 void PaintMarkPass::declare(PassDeclaration& declaration) {
     declare_pixels(declaration);
-    declaration.writes(kShare, {.format = gpu::Format::rgba16}, "share of the base that is paint over a solid")
-        .writes(kLight, {.format = gpu::Format::rgba32f}, "light that arrives at paint over a solid")
+    declaration.writes(kShare, {.format = gpu::Format::rgba8}, "share of the base that is paint over a solid")
+        .writes(kLight, {.format = gpu::Format::rgba16f}, "light that arrives at paint over a solid")
         .after("skin.transmission_map")  // where that module is loaded: the last of its passes, on pixels of its own
         .after("skin.texture_space");
 }
@@ -66,11 +66,14 @@ void PaintMixPass::mix(PassContext& context, const SeenSurface& seen, Technique 
     program.use();
     bind_frame(program, frame);
     bind_numbered_pixels(program, context, seen);
-    binding_.set(plan_->paints().of(*seen.surface, settings_.model), *seen.surface);
+    const BodyPaint* paint = plan_->paints().of(*seen.surface, settings_.model);
+    binding_.set(paint, *seen.surface);
     binding_.bind(program);
     for (const char* target : {kShare, kLight})
         program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
-    program.set("wanders", technique == Technique::htsm ? 0.0f : 1.0f);
+    // of what encloses nothing scatter_maps leaves the light as it is
+    const bool plainly = technique == Technique::scatter_maps && paint && !paint->closed;
+    program.set("wanders", technique == Technique::htsm || plainly ? 0.0f : 1.0f);
     program.set("stays", technique == Technique::wrap || technique == Technique::thickness ? 1.0f : 0.0f);
     dispatch_pixels(seen.pixels.size);
 }

@@ -15,7 +15,8 @@ namespace tyndall::translucency {
 namespace {
 
 constexpr int kResolution = 48;
-constexpr int kColumns = 256;  ///< of the table of what passes, as light.comp has it
+/// Of the table of what passes, as light.comp has it: so many that the nearest will do.
+constexpr int kColumns = 2048;
 
 gpu::Texture table_of_passing(const Optics& optics, Model model, float farthest) {
     const RadialKernel kernel(optics, model, Scaling::published, farthest);
@@ -115,7 +116,7 @@ void ThicknessPass::render(PassContext& context, const SeenSurface& seen) {
             frame.seams.bind(Seam::light_transmittance, fresh, context);
             bind_pixels(fresh, context, seen, object.interior);
             fresh.texture("thickness", grid.texture, {.filter = gpu::Filter::linear});
-            fresh.texture("through", object.through, {.filter = gpu::Filter::linear});
+            fresh.texture("through", object.through, {.filter = gpu::Filter::nearest});
             fresh.set("grid_from_world", grid.grid_from_shape * glm::inverse(world_from_shape));
             fresh.set("grid_metres", std::cbrt(std::abs(glm::determinant(glm::mat3(world_from_shape)))));
             fresh.set("farthest", object.farthest);

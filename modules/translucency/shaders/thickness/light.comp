@@ -19,7 +19,7 @@ void main() {
         vec3 around = irradiance * transmittance_to_body(pixel.place, to_light);
         vec3 light = wrapped_light(irradiance, around, pixel.place, pixel.normal, dot(pixel.normal, to_light));
         float metres = grid_metres * textureLod(thickness, (grid_from_world * vec4(pixel.place, 1.0)).xyz, 0.0).x;
-        vec3 passes = textureLod(through, vec2((sqrt(min(metres / farthest, 1.0)) * 255.0 + 0.5) / 256.0, 0.5), 0.0).rgb;
+        vec3 passes = texelFetch(through, ivec2(int(sqrt(min(metres / farthest, 1.0)) * 2047.0 + 0.5), 0), 0).rgb;
         vec3 share = passes / (1.0 + passes);  // of the two sides
         vec3 front = light * (1.0 - share) * near_pattern(pixel.cosine);
         vec3 view = -eye_ray((vec2(at) + 0.5) / frame.size_time.xy);
