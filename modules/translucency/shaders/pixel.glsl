@@ -28,15 +28,15 @@ bool within_column(ivec2 at) {
     int begin = int(gl_GlobalInvocationID.y) * kColumn;
     return at.y < pixels_low.y + min(begin + kColumn, pixels_size.y);
 }
-ivec2 seen_from(ivec2 at) {
-    while (within_column(at) && !number_at(at)) ++at.y;
+ivec2 next_seen(ivec2 at) {
+    do ++at.y;
+    while (within_column(at) && !number_at(at));
     return at;
 }
-ivec2 next_seen(ivec2 at) { return seen_from(ivec2(at.x, at.y + 1)); }
 ivec2 first_seen() {
     ivec2 at = pixels_low + ivec2(gl_GlobalInvocationID.xy) * ivec2(1, kColumn);
     if (at.x >= pixels_low.x + pixels_size.x) at.y += kColumn;  // beyond the rectangle: none
-    return seen_from(at);
+    return next_seen(ivec2(at.x, at.y - 1));
 }
 /// The first of an empty column is not seen.
 Pixel pixel_at(ivec2 at) {

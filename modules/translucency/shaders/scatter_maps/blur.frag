@@ -23,11 +23,11 @@ const float kTapShare = 0.8;
 void main() {
     vec2 found = texelFetch(blur_places, ivec2(gl_FragCoord.xy), 0).xy;
     vec3 start = light_place(place_of(ivec2(gl_FragCoord.xy), max(found, vec2(1e-6, 0.0))));
-    int rings = found.x > 0.0 ? kRings : 0;
+    int rings = found.x > 0.0 ? kRings : 0, ring = 0;
     vec3 from_near = vec3(0.0), from_deep = vec3(0.0);
     float width = window_metres(start.z);
     vec2 uv = map_uv(start), uv_per_metre = vec2(1.0 / (view.window.z * width));
-    for (int ring = 0; ring < rings; ++ring) {
+    do {
         vec4 fluxes[kRingTaps];  // a: depth
         float low = 1e30, high = -1e30;
         for (int i = 0; i < kRingTaps; ++i) {
@@ -50,7 +50,7 @@ void main() {
             from_near += leaves * (1.0 - kernel.a);
             from_deep += leaves * kernel.a;
         }
-    }
+    } while (++ring < rings);
     near = vec4(from_near, 0.0);
     deep = vec4(from_deep, 0.0);
 }

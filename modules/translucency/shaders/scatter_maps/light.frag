@@ -91,8 +91,7 @@ Leaving local(Seen seen, vec3 start) {
 void main() {
     Seen seen;
     gathered = vec4(0.0);
-    // Processors skip nothing but by a loop: this one has no turn where the solid is not seen.
-    for (int turns = seen_here(solid.extinction.w, seen) ? 1 : 0; turns > 0; --turns) {
+    if (seen_here(solid.extinction.w, seen)) {
         vec3 start = light_place(seen.place);
 #ifndef FORM_GREEN
         gathered.rgb += scattered_once(seen, start) * seen.leaves * seen.scale / paint_ends_at(seen.place).rgb;  // which mix.comp takes all light times
