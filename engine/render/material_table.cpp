@@ -9,8 +9,8 @@ namespace tyndall {
 namespace {
 
 /// Order of the maps in `MaterialRecord::uv_rows`: that of the features' bits.
-constexpr size_t kMaps = 9;
-constexpr std::array<const char*, 13> kDefines{"BASE_COLOUR_MAP",
+constexpr size_t kMaps = 10;
+constexpr std::array<const char*, 15> kDefines{"BASE_COLOUR_MAP",
                                                "METALLIC_ROUGHNESS_MAP",
                                                "NORMAL_MAP",
                                                "OCCLUSION_MAP",
@@ -19,10 +19,12 @@ constexpr std::array<const char*, 13> kDefines{"BASE_COLOUR_MAP",
                                                "SPECULAR_COLOUR_MAP",
                                                "DIFFUSE_TRANSMISSION_MAP",
                                                "DIFFUSE_TRANSMISSION_COLOUR_MAP",
+                                               "PAINT_MAP",
                                                "SHARED_OCCLUSION",
                                                "UV_TRANSFORM",
                                                "ALPHA_MASK",
-                                               "DIFFUSE_TRANSMISSION"};
+                                               "DIFFUSE_TRANSMISSION",
+                                               "PAINT"};
 constexpr std::array<const char*, kMaps> kSamplers{"base_colour_map",
                                                    "metallic_roughness_map",
                                                    "normal_map",
@@ -31,7 +33,8 @@ constexpr std::array<const char*, kMaps> kSamplers{"base_colour_map",
                                                    "specular_map",
                                                    "specular_colour_map",
                                                    "diffuse_transmission_map",
-                                                   "diffuse_transmission_colour_map"};
+                                                   "diffuse_transmission_colour_map",
+                                                   "paint_map"};
 
 std::array<const TextureSlot*, kMaps> slots_of(const Material& m) {
     return {&m.base_colour_texture,
@@ -42,7 +45,8 @@ std::array<const TextureSlot*, kMaps> slots_of(const Material& m) {
             &m.specular_texture,
             &m.specular_colour_texture,
             &m.diffuse_transmission_texture,
-            &m.diffuse_transmission_colour_texture};
+            &m.diffuse_transmission_colour_texture,
+            &m.paint_texture};
 }
 
 /// Maps that only count where diffuse light goes through.
@@ -56,9 +60,12 @@ uint32_t features_of(const Material& material) {
     const auto slots = slots_of(material);
     uint32_t features = material.alpha_mode == AlphaMode::opaque ? 0u : uint32_t{kAlphaMask};
     const bool through = material.diffuse_transmission > 0.0f;
+    const bool painted = material.paint_cover > 0.0f;
     if (through) features |= kDiffuseTransmission;
+    if (painted) features |= kPaint;
     for (size_t i = 0; i < kMaps; ++i) {
-        if (!slots[i]->texture || (!through && (kThroughMaps & (1u << i)) != 0)) continue;
+        if (!slots[i]->texture || (!through && (kThroughMaps & (1u << i)) != 0) || (!painted && (1u << i) == kPaintMap))
+            continue;
         features |= 1u << i;
         if (slots[i]->uv_set != 0 || slots[i]->uv_transform != glm::mat3(1.0f)) features |= kUvTransform;
     }
@@ -78,6 +85,7 @@ MaterialRecord record_of(const Material& m, uint32_t shading_model) {
     record.specular_colour_weight = glm::vec4(m.specular_colour, m.specular);
     record.ior_model = glm::vec4(m.ior, float(shading_model), 0.0f, 0.0f);
     record.diffuse_transmission = glm::vec4(m.diffuse_transmission_colour, m.diffuse_transmission);
+    record.paint = glm::vec4(m.paint_colour, m.paint_cover);
     const auto slots = slots_of(m);
     for (size_t i = 0; i < kMaps; ++i) {
         const glm::mat3 rows = glm::transpose(slots[i]->uv_transform);

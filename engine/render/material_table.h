@@ -25,10 +25,12 @@ enum MaterialFeature : uint32_t {
     kSpecularColourMap = 1u << 6,
     kDiffuseTransmissionMap = 1u << 7,
     kDiffuseTransmissionColourMap = 1u << 8,
-    kSharedOcclusion = 1u << 9,  ///< occlusion is the red of the metallic-roughness map
-    kUvTransform = 1u << 10,     ///< a map uses the second UV set or a transform
-    kAlphaMask = 1u << 11,
-    kDiffuseTransmission = 1u << 12,  ///< diffuse light goes through
+    kPaintMap = 1u << 9,
+    kSharedOcclusion = 1u << 10,  ///< occlusion is the red of the metallic-roughness map
+    kUvTransform = 1u << 11,      ///< a map uses the second UV set or a transform
+    kAlphaMask = 1u << 12,
+    kDiffuseTransmission = 1u << 13,  ///< diffuse light goes through
+    kPaint = 1u << 14,                ///< an interior's boundary is painted
 };
 /// The #define names of the features' bits.
 [[nodiscard]] std::vector<std::string> feature_defines(uint32_t features);
@@ -42,7 +44,8 @@ struct alignas(256) MaterialRecord {
     glm::vec4 specular_colour_weight;
     glm::vec4 ior_model;             ///< x index of refraction, y number of the shading model
     glm::vec4 diffuse_transmission;  ///< rgb colour of what goes through, a its share
-    glm::vec4 uv_rows[18];
+    glm::vec4 paint;                 ///< rgb colour of what is painted over an interior, a its share
+    glm::vec4 uv_rows[20];
 };
 
 /// A frame's materials: records by index.

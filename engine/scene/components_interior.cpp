@@ -93,6 +93,17 @@ void describe(StructBuilder<TransportColourOptics>& d) {
         .range(1e-6, 1e9);
 }
 
+void describe(StructBuilder<InteriorPaint>& d) {
+    using P = InteriorPaint;
+    d.doc(
+        "A diffuse layer over what is inside, under the boundary's mirror: what it covers lets no light in or out, and "
+        "throws light back on both sides.");
+    d.field("cover", &P::cover, "Share of the surface that is painted; 0 = no paint.").range(0.0, 1.0);
+    d.field("colour", &P::colour, "What it throws back of white light.").range(0.0, 1.0).colour();
+    d.field("texture", &P::texture, "A picture: its alpha multiplies the cover, its colour the colour.")
+        .asset("texture");
+}
+
 void describe(StructBuilder<InteriorComponent>& d) {
     using I = InteriorComponent;
     d.doc(
@@ -107,6 +118,7 @@ void describe(StructBuilder<InteriorComponent>& d) {
         .range(0.0, 1e12);
     d.field("ior", &I::ior, "Index of refraction; 1 lets light pass the boundary unbent.").range(1.0, 4.0);
     d.field("roughness", &I::roughness, "Perceptual roughness of the boundary; 0 = smooth.").range(0.0, 1.0);
+    d.field("paint", &I::paint, "What is painted over it, of interiors that scatter.");
     d.field("priority", &I::priority, "Where interiors overlap, the highest is there and the others are not.")
         .range(-1000, 1000);
     d.field("technique", &I::technique,

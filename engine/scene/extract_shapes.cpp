@@ -127,14 +127,24 @@ class Boundaries {
     /// The material that the surface is drawn with: its own where nothing scatters inside.
     std::shared_ptr<const Material> of(const ExtractContext& context, const Surface& surface) {
         if (!surface.interior || surface.interior->sigma_s_per_m == glm::vec3(0.0f)) return surface.material;
-        const Key key{surface.interior->sigma_s_per_m, surface.interior->sigma_a_per_m,
-                      mean_cosine(surface.interior->phase), surface.interior->eta, surface.interior->roughness};
+        const auto* component = context.world.find<InteriorComponent>(context.entity);
+        const InteriorPaint paint = component ? component->paint : InteriorPaint{};
+        const Key key{surface.interior->sigma_s_per_m,
+                      surface.interior->sigma_a_per_m,
+                      mean_cosine(surface.interior->phase),
+                      surface.interior->eta,
+                      surface.interior->roughness,
+                      paint,
+                      paint.texture.empty() ? nullptr : context.assets.texture(paint.texture, TextureUse::colour)};
         drop_dead(entries_, context.world);
         Entry& entry = entries_[key_of(context.entity)];
         if (!entry.material || entry.key != key) {
             entry.key = key;
-            entry.material = std::make_shared<const Material>(
-                boundary_material(*surface.interior, context.world.name(context.entity)));
+            Material material = boundary_material(*surface.interior, context.world.name(context.entity));
+            material.paint_cover = paint.cover;
+            material.paint_colour = paint.colour;
+            material.paint_texture.texture = key.paint_texture;
+            entry.material = std::make_shared<const Material>(std::move(material));
         }
         return entry.material;
     }
@@ -143,6 +153,8 @@ class Boundaries {
     struct Key {
         glm::vec3 sigma_s{0.0f}, sigma_a{0.0f}, mean_cosine{0.0f};
         float eta = 0.0f, roughness = 0.0f;
+        InteriorPaint paint;
+        std::shared_ptr<const TextureAsset> paint_texture;
         bool operator==(const Key&) const = default;
     };
     struct Entry {

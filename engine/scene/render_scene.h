@@ -91,6 +91,11 @@ struct Material {
     TextureSlot specular_texture, specular_colour_texture, transmission_texture, thickness_texture;
     TextureSlot diffuse_transmission_texture;         ///< its alpha counts
     TextureSlot diffuse_transmission_colour_texture;  ///< its colour counts
+    /// Of what is painted over an interior (in the boundary's material alone): the share of the surface that it covers,
+    /// and its colour. Light meets it under the boundary's mirror, from outside and from inside.
+    float paint_cover = 0.0f;
+    glm::vec3 paint_colour{1.0f};
+    TextureSlot paint_texture;  ///< alpha times the cover, colour times the colour
 };
 
 /// What is inside a closed mesh, behind a dielectric boundary. A surface that has one is that boundary: where the

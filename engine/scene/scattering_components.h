@@ -158,6 +158,15 @@ void describe(StructBuilder<AlbedoOptics>& d);
 void describe(StructBuilder<TransmissionColourOptics>& d);
 void describe(StructBuilder<TransportColourOptics>& d);
 
+/// A diffuse layer painted over an interior.
+struct InteriorPaint {
+    float cover = 0.0f;
+    glm::vec3 colour{0.8f};
+    std::string texture;
+    bool operator==(const InteriorPaint&) const = default;
+};
+void describe(StructBuilder<InteriorPaint>& d);
+
 /// What is inside the entity's meshes.
 struct InteriorComponent {
     static constexpr std::string_view kName = "interior";
@@ -168,6 +177,7 @@ struct InteriorComponent {
     glm::vec3 emission_cd_m2_per_m{0.0f};
     float ior = 1.3f;
     float roughness = 0.0f;
+    InteriorPaint paint;
     int32_t priority = 0;
     std::string technique = "auto";
 };

@@ -21,7 +21,27 @@ glm::vec3 slanted(const InteriorKey& key, const glm::vec3& straight, float i) {
     return straight / glm::max(returned, 0.1f * straight + 1e-12f);
 }
 
-InteriorBlock block_of(const InteriorKey& key) {
+}  // namespace
+
+glm::vec3 body_albedo(const Optics& optics, float body_radius) {
+    const glm::vec3 albedo = optics.albedo();
+    if (!(body_radius > 0.0f)) return albedo;
+    const glm::vec3 x = body_radius * glm::sqrt(3.0f * optics.sigma_a * (optics.sigma_s_reduced + optics.sigma_a));
+    glm::vec3 taken;
+    for (int i = 0; i < 3; ++i) taken[i] = x[i] < 1e-2f ? x[i] / 3.0f : 1.0f / std::tanh(x[i]) - 1.0f / x[i];
+    return 1.0f - (1.0f - albedo) * taken * taken;
+}
+
+float mean_free_path(const Optics& optics) {
+    const glm::vec3 extinction = optics.sigma_s_reduced + optics.sigma_a;
+    return 3.0f / std::max(extinction.x + extinction.y + extinction.z, 1e-6f);
+}
+
+float deep_distance(const Optics& optics) {
+    return kDeepPaths * mean_free_path(optics);
+}
+
+InteriorBlock interior_block(const InteriorKey& key) {
     const Optics& optics = key.optics;
     const bool exact = key.scaling == Scaling::exact;
     const glm::vec3 endless = optics.albedo();
@@ -46,38 +66,6 @@ InteriorBlock block_of(const InteriorKey& key) {
         block.slanted[i] = glm::vec4(slanted(key, kernel.returned(), float(i)), 0.0f);
     block.published = glm::vec4(exact ? 1.0f / glm::max(kernel.returned(), glm::vec3(1e-12f)) : glm::vec3(1.0f), 0.0f);
     return block;
-}
-
-}  // namespace
-
-glm::vec3 body_albedo(const Optics& optics, float body_radius) {
-    const glm::vec3 albedo = optics.albedo();
-    if (!(body_radius > 0.0f)) return albedo;
-    const glm::vec3 x = body_radius * glm::sqrt(3.0f * optics.sigma_a * (optics.sigma_s_reduced + optics.sigma_a));
-    glm::vec3 taken;
-    for (int i = 0; i < 3; ++i) taken[i] = x[i] < 1e-2f ? x[i] / 3.0f : 1.0f / std::tanh(x[i]) - 1.0f / x[i];
-    return 1.0f - (1.0f - albedo) * taken * taken;
-}
-
-float mean_free_path(const Optics& optics) {
-    const glm::vec3 extinction = optics.sigma_s_reduced + optics.sigma_a;
-    return 3.0f / std::max(extinction.x + extinction.y + extinction.z, 1e-6f);
-}
-
-float deep_distance(const Optics& optics) {
-    return kDeepPaths * mean_free_path(optics);
-}
-
-bool InteriorBuffers::update(const InteriorKey& key) {
-    if (block_.name() != 0 && key == key_) return false;
-    key_ = key;
-    const InteriorBlock block = block_of(key);
-    block_ = gpu::Buffer(sizeof block, &block, "translucency.interior");
-    return true;
-}
-
-void InteriorBuffers::bind(const gpu::Program& program) const {
-    program.block("Interior", block_);
 }
 
 }  // namespace tyndall::translucency

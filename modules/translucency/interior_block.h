@@ -1,7 +1,6 @@
 #pragma once
 /// What the shaders know of an interior.
 
-#include "gpu/gpu.h"
 #include "radial_kernel.h"
 
 namespace tyndall::translucency {
@@ -42,16 +41,6 @@ struct InteriorKey {
 /// Light that leaves so far from where it entered, in metres, has forgotten where that was (by 1 - 1/e).
 [[nodiscard]] float deep_distance(const Optics& optics);
 
-/// An interior on the GPU.
-class InteriorBuffers {
- public:
-    /// True when they were made anew since something changed.
-    bool update(const InteriorKey& key);
-    void bind(const gpu::Program& program) const;
-
- private:
-    InteriorKey key_;
-    gpu::Buffer block_;
-};
+[[nodiscard]] InteriorBlock interior_block(const InteriorKey& key);
 
 }  // namespace tyndall::translucency

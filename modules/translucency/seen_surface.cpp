@@ -41,6 +41,10 @@ void bind_lit_pixels(const gpu::Program& program, PassContext& context, const Pi
 void bind_pixels(const gpu::Program& program, PassContext& context, const SeenSurface& seen,
                  const InteriorBuffers& interior) {
     interior.bind(program);
+    bind_numbered_pixels(program, context, seen);
+}
+
+void bind_numbered_pixels(const gpu::Program& program, PassContext& context, const SeenSurface& seen) {
     bind_lit_pixels(program, context, seen.pixels);
     program.texture("gbuffer_surface", context.texture("gbuffer_surface"), {.filter = gpu::Filter::nearest});
     program.set("number", seen.number);
@@ -63,7 +67,12 @@ void dispatch_pixels(glm::ivec2 size) {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
-void begin_pixels(PassContext& context, const SeenSurface& seen, const InteriorBuffers& interior) {
+void dispatch_columns(glm::ivec2 size) {
+    constexpr int kColumn = 8;
+    dispatch_pixels({size.x, (size.y + kColumn - 1) / kColumn});
+}
+
+void begin_pixels(PassContext& context, const SeenSurface& seen, const InteriorBuffers& interior, bool elsewhere) {
     static const gpu::ProgramDesc kDesc{.name = "translucency.begin", .compute = "translucency/begin.comp"};
     Frame& frame = context.frame();
     const gpu::Program& program = frame.shaders.program(kDesc);
@@ -71,6 +80,7 @@ void begin_pixels(PassContext& context, const SeenSurface& seen, const InteriorB
     bind_frame(program, frame);
     frame.seams.bind(Seam::indirect_light, program, context);
     bind_pixels(program, context, seen, interior);
+    program.set("elsewhere", elsewhere ? 1.0f : 0.0f);
     dispatch_pixels(seen.pixels.size);
 }
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "interior_block.h"
+#include "interior_buffers.h"
 #include "render/frame_graph.h"
 #include "render/pixel_rectangle.h"
 #include "render/specular_table.h"
@@ -26,15 +26,20 @@ struct SeenSurface {
 void declare_pixels(PassDeclaration& declaration);
 /// After program.use(): what shaders/lit_pixel.glsl reads of pixels of any surface.
 void bind_lit_pixels(const gpu::Program& program, PassContext& context, const PixelRectangle& pixels);
+/// And what shaders/pixel.glsl reads beyond that.
+void bind_numbered_pixels(const gpu::Program& program, PassContext& context, const SeenSurface& seen);
 /// After program.use(): the pixels' targets and the interior.
 void bind_pixels(const gpu::Program& program, PassContext& context, const SeenSurface& seen,
                  const InteriorBuffers& interior);
 /// In groups of 8x8; what is written is seen by what follows.
 void dispatch_pixels(glm::ivec2 size);
+/// The same where an invocation looks at a column of pixels (shaders/pixel.glsl).
+void dispatch_columns(glm::ivec2 size);
 /// What shaders/seen.glsl reads, for techniques that shade in fragments; `number` as above.
 void bind_seen(const gpu::Program& program, PassContext& context, const Surface& surface, float number,
                SpecularTableTexture& table);
-/// Takes away what the pixels had and begins with light from all around.
-void begin_pixels(PassContext& context, const SeenSurface& seen, const InteriorBuffers& interior);
+/// Takes away what the pixels had and begins with light from all around, which is taken to leave where it entered.
+/// `elsewhere`: that of lights is not.
+void begin_pixels(PassContext& context, const SeenSurface& seen, const InteriorBuffers& interior, bool elsewhere);
 
 }  // namespace tyndall::translucency

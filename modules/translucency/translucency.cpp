@@ -3,6 +3,7 @@
 #include "htsm/htsm_pass.h"
 #include "leaves/leaves_pass.h"
 #include "module/module.h"
+#include "paint/paint_passes.h"
 #include "points/points_pass.h"
 #include "radiance_maps/radiance_maps_pass.h"
 #include "scatter_maps/scatter_maps_pass.h"
@@ -17,6 +18,7 @@ class Translucency final : public Module {
     void install(Registrar& registrar) override {
         const TranslucencySettings& settings = registrar.settings<TranslucencySettings>();
         const auto plan = std::make_shared<TechniquePlan>();
+        registrar.pass(std::make_unique<PaintMarkPass>(settings));
         registrar.pass(std::make_unique<PointsPass>(plan, settings));
         registrar.pass(std::make_unique<HtsmPass>(plan, settings));
         registrar.pass(std::make_unique<TsmPass>(plan, settings));
@@ -24,6 +26,7 @@ class Translucency final : public Module {
         registrar.pass(std::make_unique<WrapPass>(plan, settings));
         registrar.pass(std::make_unique<RadianceMapsPass>(plan, settings));
         registrar.pass(std::make_unique<ScatterMapsPass>(plan, settings));
+        registrar.pass(std::make_unique<PaintMixPass>(plan, settings));
         registrar.pass(std::make_unique<LeavesPass>(settings));
     }
 };

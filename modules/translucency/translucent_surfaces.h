@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "body_size.h"
+#include "paint/body_paint.h"
 #include "scene/render_scene.h"
 
 namespace tyndall::translucency {
@@ -42,6 +43,8 @@ class TechniquePlan {
     /// Indices of the scene's surfaces that are rendered with a technique. A name that does not exist is logged once,
     /// with the nearest, and means "auto".
     [[nodiscard]] std::vector<size_t> surfaces(const RenderScene& scene, Technique technique);
+    /// What is painted over them.
+    [[nodiscard]] PaintStore& paints() { return paints_; }
 
  private:
     /// What auto took for an entity, and what it goes by.
@@ -56,6 +59,7 @@ class TechniquePlan {
     static Wandering wandering(const Surface& surface, Choice& choice);
     static void log_choice(const Surface& surface, Choice& choice, Technique technique, std::string_view reason);
 
+    PaintStore paints_;
     std::set<std::string> refused_;
     std::map<std::tuple<uint32_t, uint32_t, uint64_t>, Choice> choices_;  ///< by entity and mesh
 };

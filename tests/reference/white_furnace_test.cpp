@@ -133,6 +133,19 @@ TEST(WhiteFurnace, ScatteringInterior) {
     expect_white("coloured rough box, eta 1.3", before(filled(Primitive::box, 1.3f, 0.3f, coloured)), 512, kColour);
 }
 
+TEST(WhiteFurnace, PaintedInterior) {
+    for (const float eta : {1.0f, 1.3f}) {
+        Material material = white_diffuse();
+        material.paint_cover = 0.5f;
+        material.roughness = 0.5f;
+        material.specular = eta > 1.0f ? 1.0f : 0.0f;
+        material.ior = eta;
+        Surface painted = shape(Primitive::sphere, kUnit, material);
+        painted.interior = filled(Primitive::sphere, eta, material.roughness, vec3(0.5f)).interior;
+        expect_white(fmt::format("painted sphere, eta {}", eta), before(painted, true), 512, kLayer);
+    }
+}
+
 TEST(DielectricEnergy, ClearInteriorsLoseNothing) {
     for (const float eta : {1.1f, 1.33f, 1.5f, 2.0f})
         for (const Primitive primitive : {Primitive::box, Primitive::sphere})

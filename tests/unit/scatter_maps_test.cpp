@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 #include "physics/half_space.h"
 #include "scatter_maps/scatter_block.h"
-#include "scatter_maps/scatter_view.h"
 
 namespace tyndall::translucency {
 namespace {
@@ -118,43 +116,6 @@ TEST(ScatterMaps, GreenGivesABallsLightOutOnce) {
         // a hemisphere is twice its disc
         const glm::vec3 sum = 1.0f - block.green.w + 2.0f * glm::vec3(block.green_amount) * (1.0f + dark);
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], 1.0f, 2e-3f);
-    }
-}
-
-Surface ball_at(const glm::vec3& place) {
-    auto mesh = std::make_shared<MeshAsset>();
-    mesh->mesh.bounds = {glm::vec3(-0.5f), glm::vec3(0.5f)};
-    Surface surface;
-    surface.mesh = mesh;
-    surface.transform = glm::translate(glm::mat4(1.0f), place);
-    return surface;
-}
-
-TEST(ScatterView, HoldsTheSolid) {
-    for (const LightKind kind : {LightKind::directional, LightKind::point}) {
-        Light light;
-        light.kind = kind;
-        light.transform = glm::inverse(glm::lookAt(glm::vec3(2, 3, 1), glm::vec3(0.2f, 0.1f, 0), glm::vec3(0, 1, 0)));
-        const Surface surface = ball_at({0.2f, 0.1f, 0.0f});
-        const ScatterView view = scatter_view(light, surface, 256);
-        for (int i = 0; i < 8; ++i) {
-            const glm::vec3 corner = glm::vec3(i & 1, (i >> 1) & 1, i >> 2) - 0.5f;
-            const glm::vec4 clip = view.clip_from_world() * (surface.transform * glm::vec4(corner, 1.0f));
-            ASSERT_GT(clip.w, 0.0f);
-            EXPECT_LT(std::max(std::abs(clip.x), std::abs(clip.y)), clip.w);
-            EXPECT_GT(clip.z, 0.0f);
-            EXPECT_LT(clip.z, clip.w);
-        }
-    }
-}
-
-TEST(ScatterView, ALampInsideStillSeesSomething) {
-    Light light;  // at the origin
-    for (const glm::vec3 place : {glm::vec3(0.0f), glm::vec3(0.1f, 0.0f, 0.0f)}) {
-        const ScatterView view = scatter_view(light, ball_at(place), 256);
-        EXPECT_TRUE(std::isfinite(view.half) && view.half > 0.0f);
-        EXPECT_LT(std::atan(view.half), 76.0f * kPi / 180.0f);
-        EXPECT_NEAR(glm::length(view.forward), 1.0f, 1e-5f);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "physics/physics.h"
 #include "reference/textures.h"
+#include "scene/texture_lookup.h"
 
 namespace tyndall::reference {
 namespace {

@@ -416,6 +416,11 @@ bool PathTracer::meet_standard(Path& path, const Hit& hit, const SurfacePoint& p
         path.result.values.normal = n;
     }
     add_emission(path, hit, point);
+    return scatter_at_surface(path, point, bsdf, side);
+}
+
+bool PathTracer::scatter_at_surface(Path& path, const SurfacePoint& point, const StandardBsdf& bsdf,
+                                    const vec3& side) const {
     if (!settings_.surfaces_scatter || path.order + 1 > settings_.max_order) return false;
     const OnRealSides<StandardBsdf> real{bsdf, side};
     light_at_surface(path, point, real, path.nesting);
@@ -440,6 +445,11 @@ bool PathTracer::meet_boundary(Path& path, const SurfacePoint& point, uint32_t s
             path.result.values.albedo[c] = extinction[c] > 0.0f ? interior.sigma_s_per_m[c] / extinction[c] : 1.0f;
         path.result.values.normal = point.normal;
     }
+    const Material& material = *world_.surfaces()[surface].material;
+    if (material.paint_cover > 0.0f && !crossing.hidden) {
+        const PaintPoint paint = paint_at(material, point);
+        if (path.sampler.next() < paint.cover) return meet_paint(path, point, material, paint.colour);
+    }
     if (crossing.eta == 1.0f) {
         // shadow rays stop at boundaries that can bend light, so no other strategy finds what lies behind this one
         if (interior.eta != 1.0f) path.specular = true;
@@ -448,6 +458,26 @@ bool PathTracer::meet_boundary(Path& path, const SurfacePoint& point, uint32_t s
     }
     if (interior.roughness < kSmoothRoughness) return smooth_boundary(path, point, crossing);
     return rough_boundary(path, point, surface, crossing);
+}
+
+bool PathTracer::meet_paint(Path& path, const SurfacePoint& point, const Material& material, const vec3& colour) const {
+    MaterialPoint m;
+    m.base_colour = colour;
+    m.roughness = material.roughness;
+    m.f0 = vec3(0.0f);
+    m.f90 = 0.0f;
+    const bool inside = glm::dot(path.ray.direction, point.geometric_normal) > 0.0f;
+    if (!inside) {
+        const auto layer =
+            physics::standard_material(colour, 0.0f, material.ior, material.specular, material.specular_colour);
+        m.f0 = layer.f0;
+        m.f90 = layer.f90;
+    }
+    const vec3 side = inside ? -point.geometric_normal : point.geometric_normal;
+    vec3 n = inside ? -point.normal : point.normal;
+    if (glm::dot(n, path.ray.direction) >= 0.0f) n = side;
+    const StandardBsdf bsdf(m, inside ? nullptr : world_.albedo(), n, -path.ray.direction);
+    return scatter_at_surface(path, point, bsdf, side);
 }
 
 bool PathTracer::smooth_boundary(Path& path, const SurfacePoint& point, const Crossing& crossing) const {

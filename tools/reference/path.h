@@ -41,6 +41,10 @@ class PathTracer {
     void meet_lights(Path& path, const MediaRay& media, float end, bool missed) const;
     bool meet_surface(Path& path, const Hit& hit) const;
     bool meet_boundary(Path& path, const SurfacePoint& point, uint32_t surface) const;
+    /// A diffuse base under the mirror from outside, a diffuse wall from inside.
+    bool meet_paint(Path& path, const SurfacePoint& point, const Material& material, const glm::vec3& colour) const;
+    bool scatter_at_surface(Path& path, const SurfacePoint& point, const StandardBsdf& bsdf,
+                            const glm::vec3& side) const;
     bool smooth_boundary(Path& path, const SurfacePoint& point, const Crossing& crossing) const;
     bool rough_boundary(Path& path, const SurfacePoint& point, uint32_t surface, const Crossing& crossing) const;
     bool meet_standard(Path& path, const Hit& hit, const SurfacePoint& point) const;

@@ -110,6 +110,13 @@ MaterialPoint material_at(const Material& material, const SurfacePoint& point) {
     return m;
 }
 
+PaintPoint paint_at(const Material& material, const SurfacePoint& point) {
+    if (material.paint_cover <= 0.0f) return {};
+    const glm::vec4 texel = sample_slot(material.paint_texture, point);
+    return {glm::clamp(material.paint_cover * texel.w, 0.0f, 1.0f),
+            glm::clamp(material.paint_colour * vec3(texel), vec3(0.0f), vec3(1.0f))};
+}
+
 StandardBsdf::StandardBsdf(const MaterialPoint& material, const GgxAlbedo* albedo, const vec3& normal, const vec3& v)
     : m_(material), table_(albedo), n_(normal), v_(v) {
     nov_ = glm::max(glm::dot(n_, v_), kLeastCosine);

@@ -42,6 +42,12 @@ struct MaterialPoint {
     glm::vec3 normal{0.0f, 1.0f, 0.0f};  ///< with the normal map, on the outer side
 };
 [[nodiscard]] MaterialPoint material_at(const Material& material, const SurfacePoint& point);
+/// What is painted over an interior.
+struct PaintPoint {
+    float cover = 0.0f;
+    glm::vec3 colour{0.0f};
+};
+[[nodiscard]] PaintPoint paint_at(const Material& material, const SurfacePoint& point);
 /// Coverage alone, for shadow rays.
 [[nodiscard]] float opacity_at(const Material& material, const SurfacePoint& point);
 

@@ -30,7 +30,8 @@ std::vector<RayMask> masks_of(const std::vector<Surface>& surfaces) {
 
 bool has_layer(const Surface& surface) {
     const Material& material = *surface.material;
-    return !surface.interior && (material.specular > 0.0f || material.metallic > 0.0f);
+    if (surface.interior && !(material.paint_cover > 0.0f)) return false;
+    return material.specular > 0.0f || material.metallic > 0.0f;
 }
 
 }  // namespace
@@ -191,10 +192,15 @@ vec3 TracedWorld::visibility(const SurfacePoint* leaving, const vec3& place, con
         if (kind == RayMask::blocking || (kind == RayMask::shadowless && !light.placed)) return vec3(0.0f);
         if (kind == RayMask::shadowless) mis = 1.0f;
         const bool boundary = surfaces_[hit.surface].interior.has_value();
-        const SurfacePoint point = boundary ? geometry_.flat_point(hit) : geometry_.point(hit);
+        const bool painted = boundary && surfaces_[hit.surface].material->paint_cover > 0.0f;
+        const SurfacePoint point = boundary && !painted ? geometry_.flat_point(hit) : geometry_.point(hit);
         if (boundary) {
             const Crossing crossing = cross(point, hit.surface, ray.direction, nesting);
             if (crossing.eta != 1.0f) return vec3(0.0f);
+            if (painted && !crossing.hidden) {
+                share *= 1.0f - paint_at(*surfaces_[hit.surface].material, point).cover;
+                if (share == vec3(0.0f)) return share;
+            }
             nesting = crossing.beyond;
         } else if (kind == RayMask::passing) {
             share *= passed(hit, point, ray.direction);

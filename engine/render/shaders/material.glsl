@@ -17,6 +17,7 @@ struct MaterialPoint {
     vec3 emissive;    // cd/m2
     uint model;       // number of the shading model
     vec3 through;     // share of the base that light from the far side leaves by, where diffuse light goes through
+    vec3 painted;     // share of the base that is paint's, over an interior
 };
 
 // The interpolated normal on the side that faces the eye.
@@ -82,6 +83,12 @@ MaterialPoint material_at() {
     vec3 through = transmission.a * transmission.rgb;
     base.rgb = (1.0 - transmission.a) * base.rgb + through;
     point.through = through / max(base.rgb, vec3(1e-6));
+#endif
+    point.painted = vec3(0.0);
+#ifdef PAINT
+    vec4 paint = paint_at();
+    base.rgb = mix(base.rgb, paint.rgb, paint.a);
+    point.painted = paint.a * paint.rgb / max(base.rgb, vec3(1e-6));
 #endif
     point.standard =
         standard_material(base.rgb, metallic, material.ior_model.x, specular.w, specular.rgb);

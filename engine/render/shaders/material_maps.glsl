@@ -9,7 +9,8 @@ layout(std140) uniform MaterialBlock {
     vec4 specular_colour_weight;
     vec4 ior_model;             // x index of refraction, y number of the shading model
     vec4 diffuse_transmission;  // rgb colour of what goes through, a its share
-    vec4 uv_rows[18];           // two rows a map: xyz = row of the transform, w of the first = UV set
+    vec4 paint;                 // rgb colour of what is painted over an interior, a its share
+    vec4 uv_rows[20];           // two rows a map: xyz = row of the transform, w of the first = UV set
 } material;
 
 in vec4 v_uv;
@@ -40,6 +41,9 @@ uniform sampler2D diffuse_transmission_map;
 #endif
 #ifdef DIFFUSE_TRANSMISSION_COLOUR_MAP
 uniform sampler2D diffuse_transmission_colour_map;
+#endif
+#ifdef PAINT_MAP
+uniform sampler2D paint_map;
 #endif
 
 // Where map number `map` is looked up.
@@ -72,4 +76,13 @@ vec4 diffuse_transmission_at() {
     through.rgb *= texture(diffuse_transmission_colour_map, uv_of(8)).rgb;
 #endif
     return through;
+}
+
+// Colour and share of what is painted.
+vec4 paint_at() {
+    vec4 paint = material.paint;
+#ifdef PAINT_MAP
+    paint *= texture(paint_map, uv_of(9));
+#endif
+    return paint;
 }

@@ -52,6 +52,7 @@ void HtsmPass::execute(PassContext& context) {
         for (const size_t index : plan_->surfaces(context.frame().scene, Technique::htsm)) {
             const Surface& surface = context.frame().scene.surfaces[index];
             Object& object = objects_.of(surface);
+            object.paint.set(plan_->paints().of(surface, settings_.model), surface);
             if (object.solid.update(surface, context.frame().scene.time_s, settings_.htsm))
                 render(context, surface, float(index + 1), object);
         }
@@ -69,14 +70,15 @@ void HtsmPass::render(PassContext& context, const Surface& surface, float number
     const RenderScene& scene = context.frame().scene;
     const bool begins =
         settings_.htsm.form == HtsmForm::physical && (scene.lights.empty() || has_light_all_around(scene));
-    if (begins) begin(context, surface, number, object.solid);
+    if (begins) begin(context, surface, number, object);
     add_lights(context, surface, number, object, begins);
     glDisable(GL_SCISSOR_TEST);
 }
 
 void HtsmPass::bind(const gpu::Program& program, PassContext& context, const Surface& surface, float number,
-                    const Solid& solid) {
-    solid.bind(program);
+                    const Object& object) {
+    object.solid.bind(program);
+    object.paint.bind(program);
     bind_seen(program, context, surface, number, table_);
 }
 
@@ -86,13 +88,13 @@ HtsmPass::Variant HtsmPass::variant_of(const Surface& surface) const {
             s.form == HtsmForm::physical && s.march == HtsmMarch::voxels};
 }
 
-void HtsmPass::begin(PassContext& context, const Surface& surface, float number, const Solid& solid) {
+void HtsmPass::begin(PassContext& context, const Surface& surface, float number, const Object& object) {
     Frame& frame = context.frame();
     const gpu::Program& program = frame.shaders.program(program_of(variant_of(surface), "begin"));
     program.use();
     bind_frame(program, frame);
     frame.seams.bind(Seam::indirect_light, program, context);
-    bind(program, context, surface, number, solid);
+    bind(program, context, surface, number, object);
     const DrawState state(DepthState::off, BlendState::attenuate_add);
     gpu::draw_fullscreen();
 }
@@ -133,6 +135,7 @@ void HtsmPass::arrive(PassContext& context, const Surface& surface, Object& obje
     for (size_t i = 0; i < object.lights.size(); ++i) {
         Arriving& arriving = object.lights[i];
         std::string source = source_of(frame, i, surface, object.solid);
+        append_state(source, plan_->paints().of(surface, settings_.model));
         if (source == arriving.made_from) continue;
         arriving.made_from = std::move(source);
         for (gpu::Texture* made : {&arriving.light, &arriving.travels})
@@ -140,6 +143,7 @@ void HtsmPass::arrive(PassContext& context, const Surface& surface, Object& obje
                 *made = gpu::Texture(texture, "translucency.arriving");
         const gpu::Program& program = programs.use(frame, i, [&](const gpu::Program& fresh) {
             object.solid.bind(fresh);
+            object.paint.bind(fresh);
             bind_entries(fresh, context);
         });
         program.set("light_index", unsigned(i));
@@ -172,7 +176,7 @@ void HtsmPass::add_lights(PassContext& context, const Surface& surface, float nu
     programs.begin();
     for (size_t i = 0; i < frame.scene.lights.size(); ++i) {
         const gpu::Program& program = programs.use(frame, i, [&](const gpu::Program& fresh) {
-            bind(fresh, context, surface, number, solid);
+            bind(fresh, context, surface, number, object);
             bind_entries(fresh, context);
             fresh.set("rays", whole_pattern(settings_.htsm.rays));
             if (fresh.has("ring_m"))

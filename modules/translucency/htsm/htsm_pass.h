@@ -46,6 +46,7 @@ class HtsmPass final : public Pass {
     };
     struct Object {
         Solid solid;
+        PaintBinding paint;
         std::vector<Arriving> lights;
         bool unshadowed = false;  ///< by some light, and that has been said
     };
@@ -56,8 +57,8 @@ class HtsmPass final : public Pass {
     [[nodiscard]] std::string source_of(Frame& frame, size_t light, const Surface& surface, const Solid& solid) const;
     void bind_entries(const gpu::Program& program, PassContext& context) const;
     void bind(const gpu::Program& program, PassContext& context, const Surface& surface, float number,
-              const Solid& solid);
-    void begin(PassContext& context, const Surface& surface, float number, const Solid& solid);
+              const Object& object);
+    void begin(PassContext& context, const Surface& surface, float number, const Object& object);
     /// `begun`: the pixels hold what they had no more.
     void add_lights(PassContext& context, const Surface& surface, float number, Object& object, bool begun);
     static void say_unshadowed(Frame& frame, const Surface& surface, Object& object);

@@ -50,7 +50,7 @@ void LeavesPass::declare(PassDeclaration& declaration) {
     declare_pixels(declaration);
     declaration.writes("leaf_share", {.format = gpu::Format::rgba16},
                        "share of the base that light from the far side leaves by, and where");
-    declaration.after("translucency.scatter_maps");
+    declaration.after("translucency.paint_mix");
 }
 
 void LeavesPass::execute(PassContext& context) {

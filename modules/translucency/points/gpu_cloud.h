@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "gpu/gpu.h"
-#include "interior_block.h"
+#include "interior_buffers.h"
 #include "points/point_cloud.h"
 
 namespace tyndall::translucency {

@@ -100,8 +100,7 @@ void PointsPass::declare(PassDeclaration& declaration) {
         .reads("scene_depth", "where the surfaces are seen")
         .reads("gbuffer_normal", "toward the eye")
         .updates("light_diffuse", "light that leaves translucent surfaces in place of what arrives there")
-        .after("skin.transmission_map")  // where that module is loaded: the last of its passes, on pixels of its own
-        .after("skin.texture_space");
+        .after("translucency.paint_mark");
 }
 
 void PointsPass::execute(PassContext& context) {
@@ -156,6 +155,7 @@ void PointsPass::prepare(Object& object, const Surface& surface, const GpuCloud&
     if (object.gpu->interior.update({optics_of(*surface.interior), settings_.model, settings_.scaling, radius,
                                      cloud.radius * scale_of(surface, cloud)}))
         object.balanced = false;
+    object.gpu->interior.paint(plan_->paints().of(surface, settings_.model), surface);
 }
 
 void PointsPass::balance(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {

@@ -145,6 +145,7 @@ void RadianceMapsPass::prepare(PassContext& context, const Seen& seen) {
     object.key = {optics_of(*seen.surface.interior), settings_.model, settings_.scaling, piece,
                   seen.body.sphere_radius * seen.metres_of_unit};
     const bool changed = object.interior.update(object.key);
+    object.interior.paint(plan_->paints().of(seen.surface, settings_.model), seen.surface);
     if (changed) {
         const Mesh& mesh = seen.body.drawn();
         const std::vector<Balanced> vertices =

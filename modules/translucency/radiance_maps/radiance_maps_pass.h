@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "body_space.h"
-#include "interior_block.h"
+#include "interior_buffers.h"
 #include "radiance_maps/light_maps.h"
 #include "radiance_maps/view_maps.h"
 #include "render/frame_graph.h"

@@ -7,20 +7,12 @@
 
 #include "render/draw_state.h"
 #include "render/frame.h"
-#include "render/gpu_scene.h"
 #include "render/seams.h"
 
 namespace tyndall::translucency {
 namespace {
 
 constexpr float kNowhere = -1e30f;
-
-void draw(PassContext& context, const gpu::Program& program, const Surface& surface, const ScatterView& view) {
-    program.set("world_from_local", surface.transform);
-    program.set("clip_from_world", view.clip_from_world());
-    program.set("normal_from_local", glm::inverse(glm::transpose(glm::mat3(surface.transform))));
-    context.frame().gpu_scene.draw_mesh(*surface.mesh);
-}
 
 }  // namespace
 
@@ -51,13 +43,8 @@ void ScatterMap::update(PassContext& context, size_t light, const Surface& surfa
     if (state == made_from_) return;
     made_from_ = std::move(state);
     make_textures(size);
-    view_ = scatter_view(context.frame().scene.lights[light], surface, size);
-    const ScatterViewBlock block{glm::vec4(view_.origin, view_.half),
-                                 glm::vec4(view_.right, view_.perspective ? 1.0f : 0.0f),
-                                 glm::vec4(view_.up, view_.depth),
-                                 glm::vec4(view_.forward, std::log2(2.0f * view_.half_m() / static_cast<float>(size)))};
-    if (view_block_.name() == 0) view_block_ = gpu::Buffer(sizeof block, nullptr, "translucency.light_view");
-    view_block_.update(0, sizeof block, &block);
+    view_ = light_view(context.frame().scene.lights[light], surface.mesh->mesh, surface.transform, size);
+    view_block_.update(view_, size);
     draw_exits(context, surface);
     draw_entries(context, light, surface, bind, programs);
     for (gpu::Texture* texture : {&light_, &way_, &flux_}) texture->generate_mips();
@@ -66,18 +53,18 @@ void ScatterMap::update(PassContext& context, size_t light, const Surface& surfa
 /// The nearest and the farthest of the faces that look away from the light, and the farthest that looks at it.
 void ScatterMap::draw_exits(PassContext& context, const Surface& surface) const {
     static const gpu::ProgramDesc kDesc{.name = "translucency.scatter_maps.exit",
-                                        .vertex = "translucency/scatter_maps/map.vert",
+                                        .vertex = "translucency/light_view.vert",
                                         .fragment = "translucency/scatter_maps/exit.frag"};
     exit_target_.bind();
     exit_target_.clear_colour(0, glm::vec4(kNowhere));
     const gpu::Program& program = context.frame().shaders.program(kDesc);
     program.use();
-    program.block("LightView", view_block_);
+    view_block_.bind(program);
     glEnable(GL_BLEND);
     glBlendEquation(GL_MAX);
     const bool mirrored = glm::determinant(glm::mat3(surface.transform)) < 0.0f;
     glFrontFace(mirrored ? GL_CW : GL_CCW);
-    draw(context, program, surface, view_);
+    draw_in(view_, program, context.frame().gpu_scene, surface);
     glFrontFace(GL_CCW);
     glBlendEquation(GL_FUNC_ADD);
     glDisable(GL_BLEND);
@@ -94,16 +81,16 @@ void ScatterMap::draw_entries(PassContext& context, size_t light, const Surface&
         bind(fresh);
     });
     program.set("light_index", unsigned(light));
-    program.block("LightView", view_block_);
+    view_block_.bind(program);
     program.texture("exits", exits_, {.filter = gpu::Filter::nearest});
     const DrawState state(DepthState::write);
-    draw(context, program, surface, view_);
+    draw_in(view_, program, context.frame().gpu_scene, surface);
 }
 
 void ScatterMap::bind(const gpu::Program& program) const {
     const gpu::SamplerDesc mips{
         .filter = gpu::Filter::trilinear, .wrap_u = gpu::Wrap::border_zero, .wrap_v = gpu::Wrap::border_zero};
-    program.block("LightView", view_block_);
+    view_block_.bind(program);
     program.texture("entry_light", light_, mips);
     program.texture("entry_way", way_, mips);
     program.texture("entry_flux", flux_, mips);

@@ -4,19 +4,11 @@
 #include <string>
 
 #include "gpu/gpu.h"
+#include "light_view.h"
 #include "render/frame_graph.h"
 #include "render/light_programs.h"
-#include "scatter_maps/scatter_view.h"
 
 namespace tyndall::translucency {
-
-/// The uniform block "LightView" of shaders/scatter_maps/view.glsl: keep both the same.
-struct ScatterViewBlock {
-    glm::vec4 origin_half;        ///< w half the map's width
-    glm::vec4 right_perspective;  ///< w 1: half is per metre of depth
-    glm::vec4 up_depth;           ///< w depth of the solid's middle
-    glm::vec4 forward_texel;      ///< w log2 of the metres that a texel covers there
-};
 
 /// Of one light and one solid; drawn when either, or what stands in the light's way, has changed.
 class ScatterMap {
@@ -34,8 +26,8 @@ class ScatterMap {
                       const std::function<void(const gpu::Program&)>& bind, LightPrograms& programs);
 
     std::string made_from_;
-    ScatterView view_;
-    gpu::Buffer view_block_;
+    LightView view_;
+    LightViewBlock view_block_;
     gpu::Texture
         exits_;  ///< minus the nearest depth at which light leaves, the farthest, the farthest at which it enters
     gpu::Texture light_;  ///< rgb what enters, lux across the light's way; a: 1

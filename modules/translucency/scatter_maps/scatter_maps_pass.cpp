@@ -43,7 +43,7 @@ ScatterMapsPass::ScatterMapsPass(std::shared_ptr<TechniquePlan> plan, const Tran
     : plan_(std::move(plan)),
       settings_(settings),
       entry_programs_({.name = "translucency.scatter_maps.entry",
-                       .vertex = "translucency/scatter_maps/map.vert",
+                       .vertex = "translucency/light_view.vert",
                        .fragment = "translucency/scatter_maps/entry.frag"}) {}
 
 void ScatterMapsPass::declare(PassDeclaration& declaration) {
@@ -116,6 +116,7 @@ void ScatterMapsPass::update_tables(Object& object, const Surface& surface) cons
     const ScatterKey key{*surface.interior,  settings_.model, settings_.scaling,
                          object.body_radius, extent,          settings_.scatter_maps};
     object.phase.update(key.interior.phase);
+    object.interior.paint(plan_->paints().of(surface, settings_.model), surface);
     if (object.version > 0 && same(key, object.key)) return;
     object.key = key;
     ++object.version;
@@ -154,6 +155,7 @@ void ScatterMapsPass::update_maps(PassContext& context, const Surface& surface, 
         append_light_state(state, frame, i, objects_.frame());
         append_state(state, surface.transform);
         append_state(state, object.version);
+        append_state(state, plan_->paints().of(surface, settings_.model));
         append_state(state, size);
         object.maps[i].update(
             context, i, surface, size, std::move(state),

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "interior_block.h"
+#include "interior_buffers.h"
 #include "phase_table.h"
 #include "render/frame_graph.h"
 #include "render/kept.h"

@@ -2,6 +2,7 @@
 #include "physics/constants.glsl"
 #include "physics/fresnel.glsl"
 #include "physics/units.glsl"
+#include "translucency/paint.glsl"
 
 const int kLeavingCosines = 16, kKernelGaussians = 16;
 layout(std140) uniform Interior {

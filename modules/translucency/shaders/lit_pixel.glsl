@@ -18,11 +18,11 @@ struct Pixel {
     float cosine;  // of the normal to the eye
 };
 
-/// The invocation's pixel: seen when it is inside of the rectangle.
-Pixel lit_pixel() {
+/// A pixel, or the nearest in the rectangle.
+Pixel lit_pixel_at(ivec2 pixel_at) {
     Pixel pixel;
-    pixel.at = pixels_low + ivec2(gl_GlobalInvocationID.xy);
-    ivec2 at = min(pixel.at, pixels_low + pixels_size - 1);
+    pixel.at = pixel_at;
+    ivec2 at = min(pixel_at, pixels_low + pixels_size - 1);
     pixel.seen = at == pixel.at;
     LitPoint point = decode_lit_point(texelFetch(gbuffer_normal, at, 0));
     vec2 uv = (vec2(at) + 0.5) / frame.size_time.xy;
@@ -32,3 +32,6 @@ Pixel lit_pixel() {
     pixel.cosine = standard_nov(point.normal, -eye_ray(uv));
     return pixel;
 }
+
+/// The invocation's pixel: seen when it is inside of the rectangle.
+Pixel lit_pixel() { return lit_pixel_at(pixels_low + ivec2(gl_GlobalInvocationID.xy)); }

@@ -15,7 +15,8 @@ namespace tyndall::translucency {
 namespace {
 
 constexpr int kResolution = 48;
-constexpr int kColumns = 256;  ///< of the table of what passes, as light.comp has it
+/// Of the table of what passes, as light.comp has it: so many that the nearest will do.
+constexpr int kColumns = 2048;
 
 gpu::Texture table_of_passing(const Optics& optics, Model model, float farthest) {
     const RadialKernel kernel(optics, model, Scaling::published, farthest);
@@ -86,6 +87,7 @@ const ThicknessPass::Object& ThicknessPass::object_of(const Surface& surface) {
         object.farthest = glm::distance(surface.bounds.low, surface.bounds.high);
         object.through = table_of_passing(optics, settings_.model, object.farthest);
     }
+    object.interior.paint(plan_->paints().of(surface, settings_.model), surface);
     return object;
 }
 
@@ -105,7 +107,7 @@ void ThicknessPass::render(PassContext& context, const SeenSurface& seen) {
     Frame& frame = context.frame();
     const size_t lights = frame.scene.lights.size();
     const bool begins = lights == 0 || has_light_all_around(frame.scene);
-    if (begins) begin_pixels(context, seen, object.interior);
+    if (begins) begin_pixels(context, seen, object.interior, false);
     const glm::mat4 world_from_shape = surface.transform * glm::scale(glm::mat4(1.0f), 1.0f / grid.shape);
     const Bounds& bounds = surface.bounds;
     programs_.begin();
@@ -114,7 +116,7 @@ void ThicknessPass::render(PassContext& context, const SeenSurface& seen) {
             frame.seams.bind(Seam::light_transmittance, fresh, context);
             bind_pixels(fresh, context, seen, object.interior);
             fresh.texture("thickness", grid.texture, {.filter = gpu::Filter::linear});
-            fresh.texture("through", object.through, {.filter = gpu::Filter::linear});
+            fresh.texture("through", object.through, {.filter = gpu::Filter::nearest});
             fresh.set("grid_from_world", grid.grid_from_shape * glm::inverse(world_from_shape));
             fresh.set("grid_metres", std::cbrt(std::abs(glm::determinant(glm::mat3(world_from_shape)))));
             fresh.set("farthest", object.farthest);
@@ -127,7 +129,7 @@ void ThicknessPass::render(PassContext& context, const SeenSurface& seen) {
         });
         program.set("light_index", unsigned(i));
         program.set("keeps", begins || i > 0 ? 1.0f : 0.0f);
-        dispatch_pixels(seen.pixels.size);
+        dispatch_columns(seen.pixels.size);
     }
 }
 

@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <glm/gtc/matrix_inverse.hpp>
 
 #include "core/log.h"
 #include "render/draw_state.h"
 #include "render/frame.h"
-#include "render/gpu_scene.h"
 #include "render/light_state.h"
 #include "render/seams.h"
 
@@ -19,12 +17,6 @@ namespace {
 
 /// Looks along a side of each texel of a map, as light.comp has it.
 constexpr int kSamples = 2;
-
-void bind_view(const gpu::Program& program, const LightView& view) {
-    program.set("view_from_world", view.view_from_world);
-    program.set("window", glm::vec4(view.low, view.size, view.middle_z));
-    program.set("perspective", view.perspective ? 1.0f : 0.0f);
-}
 
 /// All levels from the first.
 void make_coarser(Frame& frame, const gpu::Texture& light, const gpu::Texture& spread, int texels) {
@@ -76,6 +68,7 @@ TsmPass::Object& TsmPass::object_of(const Surface& surface) {
                            ? 1.0f / glm::max(object.size.surface.sent_out(kernel), glm::vec3(1e-3f))
                            : glm::vec3(1.0f);
     }
+    object.interior.paint(plan_->paints().of(surface, settings_.model), surface);
     return object;
 }
 
@@ -84,10 +77,10 @@ void TsmPass::render(PassContext& context, const Drawn& drawn) {
     drawn.object.maps.resize(scene.lights.size());
     for (size_t i = 0; i < scene.lights.size(); ++i) {
         see(context, drawn, i);
-        if (drawn.object.maps[i].sees) make_kernels(drawn, drawn.object.maps[i]);
+        if (drawn.object.maps[i].view.whole) make_kernels(drawn, drawn.object.maps[i]);
     }
     const bool begins = scene.lights.empty() || has_light_all_around(scene);
-    if (begins) begin_pixels(context, drawn.seen, drawn.object.interior);
+    if (begins) begin_pixels(context, drawn.seen, drawn.object.interior, true);
     gather_programs_.begin();
     for (size_t i = 0; i < scene.lights.size(); ++i) gather(context, drawn, i, begins || i > 0);
 }
@@ -104,19 +97,18 @@ void TsmPass::see(PassContext& context, const Drawn& drawn, size_t light) {
     append_state(state, drawn.object.size.radius);
     append_state(state, optics_of(*surface.interior));
     append_state(state, settings_.scaling);
+    append_state(state, plan_->paints().of(surface, settings_.model));
     append_state(state, texels());
     if (state == map.made_from) return;
     map.made_from = std::move(state);
-    const std::optional<LightView> view =
-        light_view(frame.scene.lights[light], surface.mesh->mesh, surface.transform, texels());
-    map.sees = view.has_value();
-    if (!view) {
+    map.view = light_view(frame.scene.lights[light], surface.mesh->mesh, surface.transform, texels());
+    map.view_block.update(map.view, texels());
+    if (!map.view.whole) {
         if (!std::exchange(drawn.object.too_near, true))
             log::info("translucency: {}: a light stands in the body or close to it: its light leaves where it enters",
                       surface.material->name);
         return;
     }
-    map.view = *view;
     draw_entries(context, drawn, map);
     if (map.light.name() == 0 || map.light.desc().height != texels()) {
         gpu::TextureDesc desc{
@@ -130,7 +122,7 @@ void TsmPass::see(PassContext& context, const Drawn& drawn, size_t light) {
         frame.seams.bind(Seam::light_transmittance, fresh, context);
         drawn.object.interior.bind(fresh);
     });
-    bind_view(program, map.view);
+    map.view_block.bind(program);
     program.set("world_from_view", glm::inverse(map.view.view_from_world));
     program.set("light_index", unsigned(light));
     program.set("map_size", texels());
@@ -142,8 +134,9 @@ void TsmPass::see(PassContext& context, const Drawn& drawn, size_t light) {
 }
 
 void TsmPass::draw_entries(PassContext& context, const Drawn& drawn, const LightMap& map) {
-    static const gpu::ProgramDesc kDesc{
-        .name = "translucency.tsm.map", .vertex = "translucency/tsm/map.vert", .fragment = "translucency/tsm/map.frag"};
+    static const gpu::ProgramDesc kDesc{.name = "translucency.tsm.map",
+                                        .vertex = "translucency/light_view.vert",
+                                        .fragment = "translucency/tsm/map.frag"};
     const int size = kSamples * texels();
     if (entries_.name() == 0 || entries_.desc().width != size) {
         framebuffer_ = {};
@@ -160,12 +153,9 @@ void TsmPass::draw_entries(PassContext& context, const Drawn& drawn, const Light
     Frame& frame = context.frame();
     const gpu::Program& program = frame.shaders.program(kDesc);
     program.use();
-    program.set("world_from_local", drawn.surface.transform);
-    program.set("normal_from_local", glm::inverseTranspose(glm::mat3(drawn.surface.transform)));
-    program.set("clip_from_world", map.view.clip_from_world);
-    program.set("view_from_world", map.view.view_from_world);
+    map.view_block.bind(program);
     const DrawState state(DepthState::write);
-    frame.gpu_scene.draw_mesh(*drawn.surface.mesh);
+    draw_in(map.view, program, frame.gpu_scene, drawn.surface);
 }
 
 void TsmPass::make_kernels(const Drawn& drawn, LightMap& map) const {
@@ -203,11 +193,11 @@ void TsmPass::gather(PassContext& context, const Drawn& drawn, size_t light, boo
         frame.seams.bind(Seam::light_transmittance, fresh, context);
         bind_pixels(fresh, context, drawn.seen, drawn.object.interior);
     });
-    bind_view(program, map.view);
+    map.view_block.bind(program);
     program.set("light_index", unsigned(light));
     program.set("keeps", keeps ? 1.0f : 0.0f);
-    program.set("gathers", map.sees ? 1.0f : 0.0f);
-    if (map.sees) {
+    program.set("gathers", map.view.whole ? 1.0f : 0.0f);
+    if (map.view.whole) {
         const float width = map.kernels.first_width;
         program.image("light_map", map.light, 0, false);
         program.image("light_spread", map.spread, 0, false);

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "body_size.h"
-#include "interior_block.h"
+#include "interior_buffers.h"
+#include "light_view.h"
 #include "render/frame_graph.h"
 #include "render/kept.h"
 #include "render/light_programs.h"
 #include "seen_surface.h"
 #include "translucency_settings.h"
 #include "tsm/level_kernels.h"
-#include "tsm/light_view.h"
 
 namespace tyndall::translucency {
 
@@ -28,8 +28,8 @@ class TsmPass final : public Pass {
  private:
     /// What one light sees of an object.
     struct LightMap {
-        LightView view;
-        bool sees = false;  ///< else the light is too near
+        LightView view;  ///< not whole: the light is too near
+        LightViewBlock view_block;
         gpu::Texture light, spread;
         std::string made_from;  ///< all that it depends on, byte by byte
         KernelKey kernel_key;

@@ -34,6 +34,7 @@ const WrapPass::Object& WrapPass::object_of(const Surface& surface) {
             {optics, settings_.model, settings_.scaling, mean_free_path(optics), object.size.radius}) ||
         reshaped)
         object.wrap = wrap_amount(optics, settings_.model, object.size.radius);
+    object.interior.paint(plan_->paints().of(surface, settings_.model), surface);
     return object;
 }
 
@@ -41,7 +42,7 @@ void WrapPass::render(PassContext& context, const SeenSurface& seen, const Objec
     Frame& frame = context.frame();
     const size_t lights = frame.scene.lights.size();
     const bool begins = lights == 0 || has_light_all_around(frame.scene);
-    if (begins) begin_pixels(context, seen, object.interior);
+    if (begins) begin_pixels(context, seen, object.interior, false);
     const Bounds& bounds = seen.surface->bounds;
     programs_.begin();
     for (size_t i = 0; i < lights; ++i) {
@@ -56,7 +57,7 @@ void WrapPass::render(PassContext& context, const SeenSurface& seen, const Objec
         });
         program.set("light_index", unsigned(i));
         program.set("keeps", begins || i > 0 ? 1.0f : 0.0f);
-        dispatch_pixels(seen.pixels.size);
+        dispatch_columns(seen.pixels.size);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "translucency/htsm/object.glsl"
 #include "translucency/seen.glsl"
 #include "seams/indirect_light.glsl"
+#include "translucency/paint.glsl"
 
 layout(location = 0, index = 0) out vec4 gathered;
 layout(location = 0, index = 1) out vec4 kept;
@@ -29,6 +30,6 @@ void main() {
     vec3 scattered = albedo * kThick * (vec3(1.0) - exp(-solid.extinction_guide.rgb * (whole / kThick)));
     vec3 passes = exp(-solid.extinction_guide.rgb * whole) * seen.leaves * scale_inside();
     vec3 behind = indirect_light(seen.place, seen.inward, seen.inward, 0.0).specular;  // mirrored: straight on
-    gathered = vec4((irradiance * kInversePi * scattered + behind * passes) * seen.scale, 0.0);
+    gathered = vec4((irradiance * kInversePi * scattered + behind * passes) * seen.scale * enters_past_paint(seen.place), 0.0);
     kept = vec4(0.0, 0.0, 0.0, 1.0);
 }

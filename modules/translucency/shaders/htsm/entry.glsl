@@ -3,6 +3,7 @@
 #include "translucency/htsm/object.glsl"
 #include "render/shaders/lights.glsl"
 #include "seams/light_transmittance.glsl"
+#include "translucency/paint.glsl"
 
 uniform sampler2DArray entry_depths;
 uniform uint light_index;
@@ -85,6 +86,7 @@ Entry entry_toward(EntryView view, vec3 p, vec3 direction, float t, int count) {
     if (seen && first < 0.0) entry.amount = max(first, -2.0 * voxel) * density_at(unit + toward * max(first - voxel, -3.0 * voxel));
     vec3 ignored;
     entry.irradiance = own * light_irradiance(light_index, place, ignored);  // it goes on spreading inside
+    entry.irradiance *= enters_past_paint(place + metres * to_light);
     entry.travel = -to_light;
 #ifdef BENDS
     float eta = solid.scattering_eta.w;

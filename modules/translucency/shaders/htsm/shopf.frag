@@ -43,7 +43,7 @@ void main() {
         ray = way > 1e-9 ? ray / way : -seen.normal;
         float cosine = clamp(dot(normal_near(unit, to_light), to_light), 0.0, 1.0);
         vec3 irradiance = light_irradiance(light_index, entered, to_light);
-        irradiance *= cosine * (1.0 - fresnel_dielectric(cosine, solid.scattering_eta.w));
+        irradiance *= enters_past_paint(entered) * cosine * (1.0 - fresnel_dielectric(cosine, solid.scattering_eta.w));
         irradiance *= light_transmittance(light_index, entered + to_light * (2.0 * voxel), vec3(0.0));
         float amount = density_along(start, unit_direction(ray), way, STEPS);
         float left = max(0.0, (2.0 * farthest - (way + amount)) / farthest);

@@ -15,7 +15,7 @@ void main() {
     if (cosine <= 0.0 || irradiance == vec3(0.0)) return;
     irradiance *= light_transmittance(light_index, piece.place, piece.normal);
     float share = entering(cosine);
-    vec3 leaving = irradiance * scale_at(point) * leaving_share(cosine);
+    vec3 leaving = irradiance * scale_at(point) * leaving_share(cosine) * enters_to_wander(piece.place);
     float entered = share * luminance_rec709(irradiance);
     // it begins to spread where it first collides
     vec3 collides = piece.place - (to_light - cosine * piece.normal) * first_path();

@@ -24,5 +24,5 @@ void main() {
     vec3 scale = 1.0 / (max(interior.base_entering.rgb, vec3(1e-4)) * mean_entering());
     vec3 near = near_pattern(cosine);
     gathered = vec4(scale * mix(near, deep_pattern(cosine), v_others.a) * v_others.rgb, 0.0);
-    kept = vec4(scale * near * v_own, 1.0);
+    kept = vec4(scale * near * v_own * enters_to_wander(world_from_depth(uv, depth)), 1.0);
 }

@@ -108,7 +108,7 @@ void main() {
     leaves.rgb *= mark.rgb;
     float deep = clamp(leaves.a / max(luminance_rec709(leaves.rgb / max(mark.rgb, vec3(1e-6))), 1e-30), 0.0, 1.0);
     vec3 near = near_pattern(cosine);
-    vec3 even = texelFetch(around, pixel, 0).rgb * mean_entering() * mean_leaving();
+    vec3 even = texelFetch(around, pixel, 0).rgb * mean_entering() * mean_leaving() * leaves_where_it_enters(place);
     if (interior.boundary.z == 0.0) even *= kernel_integral();
     // The compose pass multiplies by the base and by what the mirror lets through, which is how light passes outward.
     vec3 scale = 1.0 / (max(interior.base_entering.rgb, vec3(1e-4)) * mean_entering());

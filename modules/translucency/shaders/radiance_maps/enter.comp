@@ -46,7 +46,7 @@ void main() {
             float through = (1.0 - fresnel_dielectric(cosine, interior_eta())) * texel_area(texel.z, seen.xyz);
             vec3 refracted = refract(-to_light, normal, 1.0 / interior_eta());
             flux.rgb = irradiance * texelFetch(seen_scales, texel, 0).rgb * leaving_share(cosine) *
-                       slanted_scale(cosine) * through;
+                       slanted_scale(cosine) * through * enters_to_wander(place);
             flux.w = packed_normal(body_from_world * refracted);
             // it begins to spread where it first collides
             vec3 moved = (to_light - cosine * normal) * first_path();

@@ -14,6 +14,6 @@ void main() {
     float cosine = standard_nov(seen.normal, -eye_ray(gl_FragCoord.xy / frame.size_time.xy));
     vec3 irradiance = indirect_light(seen.place, seen.normal, seen.normal, 1.0).irradiance;
     vec3 leaves = irradiance * mean_leaving() * near_leaves(cosine) / max(interior.base_entering.rgb, vec3(1e-4));
-    gathered = vec4(ambient * leaves, 0.0);
+    gathered = vec4(ambient * leaves * leaves_where_it_enters(seen.place), 0.0);
     kept = vec4(0.0, 0.0, 0.0, 1.0);
 }

@@ -23,18 +23,18 @@ const float kTapShare = 0.8;
 void main() {
     vec2 found = texelFetch(blur_places, ivec2(gl_FragCoord.xy), 0).xy;
     vec3 start = light_place(place_of(ivec2(gl_FragCoord.xy), max(found, vec2(1e-6, 0.0))));
-    int rings = found.x > 0.0 ? kRings : 0;
+    int rings = found.x > 0.0 ? kRings : 0, ring = 0;
     vec3 from_near = vec3(0.0), from_deep = vec3(0.0);
-    float width = widening(start.z);
-    vec2 uv = map_uv(start), uv_per_metre = vec2(0.5 / (view.origin_half.w * width));
-    for (int ring = 0; ring < rings; ++ring) {
+    float width = window_metres(start.z);
+    vec2 uv = map_uv(start), uv_per_metre = vec2(1.0 / (view.window.z * width));
+    do {
         vec4 fluxes[kRingTaps];  // a: depth
         float low = 1e30, high = -1e30;
         for (int i = 0; i < kRingTaps; ++i) {
             vec4 tap = solid.taps[ring * kRingTaps + i];
             vec4 flux = textureLod(entry_flux, uv + tap.xy * uv_per_metre, ceil(map_lod(tap.z)));
             float light = luminance_rec709(flux.rgb);
-            flux.a = flux.a / max(light, 1e-20) + view.up_depth.w;
+            flux.a = flux.a / max(light, 1e-20) + view.window.w;
             low = min(low, light > 0.0 ? flux.a : low);
             high = max(high, light > 0.0 ? flux.a : high);
             fluxes[i] = flux;
@@ -42,7 +42,7 @@ void main() {
         for (int i = 0; i < kRingTaps; ++i) {
             vec4 tap = solid.taps[ring * kRingTaps + i], flux = fluxes[i];
             vec2 apart = across(uv + tap.xy * uv_per_metre, flux.a) - start.xy;
-            float wider = widening(flux.a) / width, r2 = dot(apart, apart), deeper = flux.a - start.z;
+            float wider = window_metres(flux.a) / width, r2 = dot(apart, apart), deeper = flux.a - start.z;
             // of a ring the depths are known at six places: what a tap stands for has its part of their range
             float range = max(high - low, 0.0) * kTapShare;
             vec4 kernel = kernel_here(r2 + deeper * deeper);
@@ -50,7 +50,7 @@ void main() {
             from_near += leaves * (1.0 - kernel.a);
             from_deep += leaves * kernel.a;
         }
-    }
+    } while (++ring < rings);
     near = vec4(from_near, 0.0);
     deep = vec4(from_deep, 0.0);
 }

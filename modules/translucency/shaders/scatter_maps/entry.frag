@@ -2,7 +2,7 @@
 #include "render/shaders/lights.glsl"
 #include "seams/light_transmittance.glsl"
 #include "translucency/scatter_maps/solid.glsl"
-#include "translucency/scatter_maps/view.glsl"
+#include "translucency/light_view.glsl"
 
 in vec3 v_place;
 in vec3 v_normal;
@@ -27,11 +27,11 @@ void main() {
     float bent = cosine_inside(cosine), enters = 1.0 - fresnel_dielectric(cosine, eta);
     vec3 at = light_place(v_place), travel = -to_light, refracted;
     if (eta > 1.0 && refract_ray(-to_light, normal, 1.0 / eta, refracted)) travel = refracted;
-    float z = at.z - view.up_depth.w;
+    float z = at.z - view.window.w;
     float thickness = max(-texelFetch(exits, ivec2(gl_FragCoord.xy), 0).x - z, 0.0) * slant(at);
-    light = vec4(irradiance * enters, 1.0);
+    light = vec4(irradiance * enters * enters_past_paint(v_place), 1.0);
     // the refracted way to the same depth is shorter, and the beam wider, by the cosines (Jensen et al. 2001)
     way = vec4(travel * (cosine / bent), z);
-    flux.rgb = irradiance * enters * multiple_share(cosine) * thin_scale(thickness);
+    flux.rgb = irradiance * enters * multiple_share(cosine) * thin_scale(thickness) * enters_to_wander(v_place);
     flux.a = luminance_rec709(flux.rgb) * z;
 }

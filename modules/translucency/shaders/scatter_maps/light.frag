@@ -28,7 +28,7 @@ vec3 scattered_once(Seen seen, vec3 start) {
     vec3 along = light_direction(seen.inward), to_light, sum = vec3(0.0);
     light_distance(light_index, seen.place, to_light);
     float cosine = dot(seen.normal, to_light), steep = -dot(seen.inward, seen.normal);
-    float texel = kUnsure * exp2(view.forward_texel.w);
+    float texel = kUnsure * exp2(view.perspective_texel.y);
     float unsure = min(texel / max(abs(cosine), 0.01), sqrt(2.0 * solid.body.w * texel));  // a ball's sagitta at most
     for (int i = 0; i < STEPS; ++i) {
         vec2 step = solid.steps[i].xy;
@@ -37,7 +37,7 @@ vec3 scattered_once(Seen seen, vec3 start) {
         float lod = round(1.0 + map_lod(log2(step.y) - 2.0));  // whole mips: half the reads
         vec4 light = textureLod(entry_light, uv, lod), way = textureLod(entry_way, uv, lod);
         float covered = 1.0 / max(light.a, 1e-3), shorter = length(way.xyz) * covered;
-        float z = at.z - view.up_depth.w;
+        float z = at.z - view.window.w;
         float entered = z - way.w * covered;
         // the part of its stretch that lies behind where the eye's ray comes out again: toward the light or away from it
         float left = along.z < 0.0 ? entered : last_exit(uv) - z;
@@ -60,7 +60,8 @@ vec3 entered_here(Seen seen, out float cosine) {
     vec3 to_light;
     vec3 irradiance = light_irradiance(light_index, seen.place, to_light);
     cosine = clamp(dot(seen.normal, to_light), 0.0, 1.0);
-    return irradiance * light_transmittance(light_index, seen.place, seen.normal) * entering(cosine) * multiple_share(cosine);
+    return irradiance * light_transmittance(light_index, seen.place, seen.normal) * entering(cosine) * multiple_share(cosine) *
+           enters_to_wander(seen.place);
 }
 
 Leaving local(Seen seen, vec3 start) {
@@ -75,7 +76,7 @@ Leaving local(Seen seen, vec3 start) {
 #ifdef FORM_GREEN
     vec2 uv = map_uv(start);
     vec4 flux = textureLod(entry_flux, uv, 2.0);
-    float z = flux.a / max(luminance_rec709(flux.rgb), 1e-20) + view.up_depth.w;
+    float z = flux.a / max(luminance_rec709(flux.rgb), 1e-20) + view.window.w;
     vec3 depth = solid.green.rgb * (max(start.z - z, 0.0) * slant(start));
 #ifdef RAMP
     vec3 left = max(vec3(1.0) - 0.5 * depth, vec3(0.0));
@@ -90,11 +91,10 @@ Leaving local(Seen seen, vec3 start) {
 void main() {
     Seen seen;
     gathered = vec4(0.0);
-    // Processors skip nothing but by a loop: this one has no turn where the solid is not seen.
-    for (int turns = seen_here(solid.extinction.w, seen) ? 1 : 0; turns > 0; --turns) {
+    if (seen_here(solid.extinction.w, seen)) {
         vec3 start = light_place(seen.place);
 #ifndef FORM_GREEN
-        gathered.rgb += scattered_once(seen, start) * seen.leaves * seen.scale;
+        gathered.rgb += scattered_once(seen, start) * seen.leaves * seen.scale / paint_ends_at(seen.place).rgb;  // which mix.comp takes all light times
 #endif
 #ifndef ONCE
         float cosine = standard_nov(seen.normal, -eye_ray(gl_FragCoord.xy / frame.size_time.xy));

@@ -1,5 +1,5 @@
 // A light's map of a solid (scatter_maps/scatter_map.h).
-#include "translucency/scatter_maps/view.glsl"
+#include "translucency/light_view.glsl"
 
 uniform sampler2D entry_light;  // lux across the light's way that have entered; 1
 uniform sampler2D entry_way;    // direction inside, as long as the refracted way for a metre of the straight; depth

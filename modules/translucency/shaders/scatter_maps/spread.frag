@@ -31,5 +31,5 @@ vec3 spread(Seen seen) {
 void main() {
     Seen seen;
     gathered = vec4(0.0);
-    for (int turns = seen_here(solid.extinction.w, seen) ? 1 : 0; turns > 0; --turns) gathered.rgb = spread(seen);
+    if (seen_here(solid.extinction.w, seen)) gathered.rgb = spread(seen);
 }

@@ -7,7 +7,7 @@
 #include "translucency/pixel.glsl"
 #include "render/shaders/lights.glsl"
 #include "seams/light_transmittance.glsl"
-#include "translucency/tsm/light_view.glsl"
+#include "translucency/light_view.glsl"
 #include "translucency/tsm/pyramid.glsl"
 
 layout(rgba32f) readonly uniform image2D light_map;
@@ -76,7 +76,7 @@ void add_cell(inout Gathered sum, Block block, vec4 light, float spread, vec2 of
     float share = 1.0 / max(luminance_rec709(light.rgb), 1e-30), mean = light.a * share;
     // of a near and a far surface in one cell; their middle is nowhere
     float variance = max(spread * share - mean * mean - block.slope, 0.0);
-    float deeper = mean - z, wider = perspective * deeper;
+    float deeper = mean - z, wider = in_perspective() * deeper;
     vec3 d = vec3(offset * (block.cell * (block.pixel.z + wider)) + block.pixel.xy * wider, deeper);
     float r2 = dot(d, d) + variance;
     vec4 kernel = kernel_of(block.level, sqrt(r2));
@@ -110,9 +110,9 @@ void add_level(inout Gathered sum, int level, vec3 at, float metres, float slope
     float end_x = clamp(x.w, -1, last - 1) == x.w ? 1.0 : 0.0, end_y = clamp(y.w, -1, last - 1) == y.w ? 1.0 : 0.0;
     block.left = (1.0 - f.x) * vec4(within_x);
     block.right = f.x * vec4(vec4(within_x).yzw, end_x);
-    float cell = window.z / float(last + 1);
+    float cell = view.window.z / float(last + 1);
     block.cell = cell;
-    block.pixel = vec3(window.xy + window.z * at.xy, metres);
+    block.pixel = vec3(view.window.xy + view.window.z * at.xy, metres);
     block.slope = slope * cell * cell * metres * metres;
     // of the rows, and all cells' area
     vec4 lower = (cell * cell * (1.0 - f.y)) * vec4(within_y);
@@ -143,13 +143,13 @@ void main() {
     barrier();
     if (pixel.seen) seen_by_group = 1u;
     barrier();
-    vec3 at = (view_from_world * vec4(pixel.place, 1.0)).xyz;
+    vec3 at = light_place(pixel.place);
     float metres = window_metres(at.z);
     vec3 unused;
     light_distance(light_index, pixel.place, unused);
     float facing = dot(pixel.normal, unused);
     float slope = min(1.0 / max(facing * facing, 1e-3), kSteepest);
-    at = vec3((at.xy / metres - window.xy) / window.z, at.z - window.w);
+    at = vec3((at.xy / metres - view.window.xy) / view.window.z, at.z - view.window.w);
     Gathered sum = Gathered(vec3(0.0), vec3(0.0), 0.0);
     int last = seen_by_group != 0u && gathers > 0.0 ? levels.y - levels.x : 0, level = 0;
     do {
@@ -159,7 +159,7 @@ void main() {
     vec3 to_light;
     vec3 irradiance = light_irradiance(light_index, pixel.place, to_light);
     float cosine = clamp(dot(pixel.normal, to_light), 0.0, 1.0);
-    irradiance *= light_transmittance(light_index, pixel.place, pixel.normal);
+    irradiance *= light_transmittance(light_index, pixel.place, pixel.normal) * enters_to_wander(pixel.place);
     vec3 even = irradiance * entering(cosine) * leaving_share(cosine);
     vec3 own = even;
     vec3 others = vec3(0.0);

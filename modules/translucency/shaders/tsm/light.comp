@@ -2,7 +2,7 @@
 #include "translucency/interior.glsl"
 #include "render/shaders/lights.glsl"
 #include "seams/light_transmittance.glsl"
-#include "translucency/tsm/light_view.glsl"
+#include "translucency/light_view.glsl"
 #include "translucency/tsm/pyramid.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -25,11 +25,11 @@ vec4 entry_of(ivec2 texel, out float share, out float variance) {
             float weight = kBinomial[i] * kBinomial[j];
             sum += weight * entry;
             share += entry.xyz != vec3(0.0) ? weight : 0.0;
-            variance += weight * (entry.w - window.w) * (entry.w - window.w) * (entry.xyz != vec3(0.0) ? 1.0 : 0.0);
+            variance += weight * (entry.w - view.window.w) * (entry.w - view.window.w) * (entry.xyz != vec3(0.0) ? 1.0 : 0.0);
         }
     sum.xyz /= max(length(sum.xyz), 1e-6);
     sum.w /= max(share, 1e-6);
-    variance = max(variance / max(share, 1e-6) - (sum.w - window.w) * (sum.w - window.w), 0.0);
+    variance = max(variance / max(share, 1e-6) - (sum.w - view.window.w) * (sum.w - view.window.w), 0.0);
     return sum;
 }
 
@@ -37,7 +37,7 @@ void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     float share, variance;
     vec4 entry = entry_of(texel, share, variance);
-    vec2 at = window.xy + window.z * (vec2(texel) + 0.5) / float(map_size);
+    vec2 at = view.window.xy + view.window.z * (vec2(texel) + 0.5) / float(map_size);
     float metres = window_metres(entry.w);
     vec3 p = (world_from_view * vec4(at * metres, entry.w, 1.0)).xyz;
     vec3 to_light;
@@ -48,12 +48,11 @@ void main() {
     float spread = 0.0;
     if (share > 0.0 && irradiance != vec3(0.0)) {
         // Across the ray a texel is as large whatever the surface's slope: no cosine of the surface.
-        vec3 axis = vec3(view_from_world[0].z, view_from_world[1].z, view_from_world[2].z);
-        float area = share * metres * metres * mix(1.0, -dot(to_light, axis), perspective);
+        float area = share * metres * metres * mix(1.0, -dot(to_light, light_axis()), in_perspective());
         irradiance *= light_transmittance(light_index, p, normal);
-        found.rgb = irradiance * (area * (1.0 - fresnel_dielectric(cosine, interior_eta()))) * leaving_share(cosine);
+        found.rgb = irradiance * (area * (1.0 - fresnel_dielectric(cosine, interior_eta()))) * leaving_share(cosine) * enters_to_wander(p);
         // it begins to spread where it first collides
-        float z = entry.w + (1.0 - cosine * cosine) * first_path() - window.w;
+        float z = entry.w + (1.0 - cosine * cosine) * first_path() - view.window.w;
         found.a = luminance_rec709(found.rgb) * z;
         spread = luminance_rec709(found.rgb) * (z * z + variance);
     }

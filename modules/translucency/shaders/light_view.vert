@@ -1,10 +1,10 @@
-// A solid as a light sees it.
+// An object as a light sees it (light_view.h).
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 
 uniform mat4 world_from_local;
-uniform mat4 clip_from_world;
 uniform mat3 normal_from_local;
+uniform mat4 clip_from_world;
 
 out vec3 v_place;
 out vec3 v_normal;
