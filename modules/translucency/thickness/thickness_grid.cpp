@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "core/parallel.h"
 #include "geometry/surface_points.h"
@@ -21,7 +20,6 @@ ThicknessGrid make_thickness_grid(const Mesh& mesh, int resolution) {
     const std::vector<SurfacePoint> points = sample_surface(mesh, kLevels);
     ThicknessGrid grid;
     if (points.empty()) return grid;
-    const glm::vec3 extent = mesh.bounds.high - mesh.bounds.low;
     const InwardRays rays(mesh, kRays);
     std::vector<float> found(points.size());
     parallel_for(0, points.size(), 256, [&](size_t first, size_t last) {
