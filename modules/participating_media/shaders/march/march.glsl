@@ -88,13 +88,19 @@ float guide_of(Ray ray, float t0, float t1) {
     return weight * (t1 - t0);
 #else
     vec3 from_light = ray.origin - light_position(light_index);
-    float passing = max(length(from_light - dot(from_light, ray.direction) * ray.direction), 1e-3);
-    vec3 a = normalize(from_light + t0 * ray.direction), b = normalize(from_light + t1 * ray.direction);
-    vec3 middle = normalize(a + b);
-    weight *= 2.0 * atan(length(b - middle), length(b + middle)) * 2.0 / passing;  // the angle, precise when small
+    float along = dot(from_light, ray.direction);
+    float passing = max(length(from_light - along * ray.direction), 1e-3);
+    // of the part's ends: from the point nearest to the light, and one over the distance to it
+    vec2 ends = along + vec2(t0, t1);
+    vec2 nearness = inversesqrt(ends * ends + passing * passing);
+    float turned = passing * passing + ends.x * ends.y;
+    weight *= atan(passing * (t1 - t0), turned) / passing;  // the angle between them, precise when small
 #if LIGHT_KIND == 1
     // the cone's profile in the middle of the angle: near the lamp a cone is narrower than a few pixels
-    weight *= spot_falloff(int(light_data(light_index).intensity_profile.w), dot(middle, light_data(light_index).direction_kind.xyz),
+    vec3 axis = light_data(light_index).direction_kind.xyz;
+    vec2 cosines = (dot(from_light, axis) + vec2(t0, t1) * dot(ray.direction, axis)) * nearness;
+    float middle = (cosines.x + cosines.y) * inversesqrt(max(2.0 + 2.0 * turned * nearness.x * nearness.y, 1e-6));
+    weight *= spot_falloff(int(light_data(light_index).intensity_profile.w), middle,
                            light_data(light_index).up_cos_inner.w, light_data(light_index).right_cos_outer.w);
 #endif
     return weight;
