@@ -14,14 +14,13 @@ out vec4 filtered;  // rgb radiance, a its guide
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 last = textureSize(marched, 0) - 1;
-    float end = media_end_depth(marched_pixel(pixel));
-    float depth = max(texelFetch(scene_depth, marched_pixel(pixel), 0).r, end);
+    float depth = reached_depth(marched_pixel(pixel));
     float sharpness = 12.0 / max(depth, 1e-12);
     vec4 sum = vec4(0.0);
     for (int y = -RADIUS; y <= RADIUS; ++y) {
         for (int x = -RADIUS; x <= RADIUS; ++x) {
             ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
-            float other = max(texelFetch(scene_depth, marched_pixel(at), 0).r, end);
+            float other = reached_depth(marched_pixel(at));
             float weight = float((RADIUS + 1 - abs(x)) * (RADIUS + 1 - abs(y))) * max(0.0, 1.0 - sharpness * abs(other - depth));
             sum += weight * texelFetch(marched, at, 0);
         }

@@ -25,14 +25,14 @@ float pixel_metres(ivec2 pixel) {
     return depth > 0.0 ? eye_distance(pixel_uv(pixel), depth) : farthest;
 }
 
-/// The depth at which a pixel's ray leaves all media, 0 if it does not. Pixels are told apart by depths no farther than that: what
-/// lies behind a cloud makes no silhouette in it.
-float media_end_depth(ivec2 pixel) {
+/// The depth by which pixels are told apart: that of the surface or, where media end before it, of their end. What lies behind a
+/// cloud makes no silhouette in it.
+float reached_depth(ivec2 pixel) {
+    float depth = texelFetch(scene_depth, pixel, 0).r;
 #if MEDIA_END == 1
-    vec2 uv = pixel_uv(pixel);
-    float t0 = 0.0, t1 = farthest;
-    if (clip_to_box(frame.eye_near.xyz, eye_ray(uv), media_low, media_high, t0, t1))
-        return eye_distance(uv, 1.0) / t1;  // depths are one over metres
+    float t0 = 0.0, t1 = 1e30;  // along the eye's axis
+    if (clip_to_box(frame.eye_near.xyz, eye_ray_to_plane(pixel_uv(pixel)), media_low, media_high, t0, t1))
+        depth = max(depth, frame.eye_near.w / t1);
 #endif
-    return 0.0;
+    return depth;
 }

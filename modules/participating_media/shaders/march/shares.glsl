@@ -22,19 +22,21 @@ struct Neighbours {
     ivec2 corner;  // the first of them
     vec4 texels[4];
     float depths[4];
-    float least, most;  // shares
+    float off_plane, least, most;
 };
 
 Neighbours neighbours_from(ivec2 corner) {
     Neighbours n;
     n.corner = corner;
+    n.off_plane = 0.0;
     n.least = 1e30;
     n.most = 0.0;
     ivec2 last = imageSize(marched) - 1;
     for (int i = 0; i < 4; ++i) {
         ivec2 at = clamp(corner + ivec2(i & 1, i >> 1), ivec2(0), last);
         n.texels[i] = imageLoad(marched, at);
-        n.depths[i] = texelFetch(scene_depth, marched_pixel(at), 0).r;
+        n.depths[i] = reached_depth(marched_pixel(at));
+        n.off_plane += (i == 0 || i == 3 ? 1.0 : -1.0) * n.depths[i];
         float share = luminance_rec709(n.texels[i].rgb) / max(n.texels[i].a, 1e-30);
         n.least = min(n.least, share);
         n.most = max(n.most, share);
@@ -44,25 +46,22 @@ Neighbours neighbours_from(ivec2 corner) {
 
 /// The share of a pixel between them; 0 where it is listed.
 vec3 share_of(Neighbours n, ivec2 pixel) {
-    float end = media_end_depth(pixel);
-    float depth = max(texelFetch(scene_depth, pixel, 0).r, end);
+    float depth = reached_depth(pixel);
     vec2 f = (vec2(pixel) - float(pixel_step / 2)) / float(pixel_step) - vec2(n.corner);
     float sharpness = 1.0 / max(kLike * depth, 1e-12);
     vec4 sum = vec4(0.0), plane = vec4(0.0);
-    float fits = 0.0, mean = 0.0, off_plane = 0.0;
+    float fits = 0.0, mean = 0.0;
     for (int i = 0; i < 4; ++i) {
         vec2 w = mix(1.0 - f, f, vec2(i & 1, i >> 1));
         float weight = w.x * w.y + 1e-4;
-        float other = max(n.depths[i], end);
-        float like = weight * max(0.0, 1.0 - sharpness * abs(other - depth));
+        float like = weight * max(0.0, 1.0 - sharpness * abs(n.depths[i] - depth));
         sum += like * n.texels[i];
         fits += like;
         plane += weight * n.texels[i];
-        mean += weight * other;
-        off_plane += (i == 0 || i == 3 ? 1.0 : -1.0) * other;
+        mean += weight * n.depths[i];
     }
     // depths of a plane are linear on the screen
-    bool flat_there = max(abs(off_plane), abs(mean - depth)) <= kFlat * depth;
+    bool flat_there = max(abs(n.off_plane), abs(mean - depth)) <= kFlat * depth;
     sum = flat_there ? plane : sum;
     bool known = (flat_there || fits > kLeast) && n.most - n.least <= kDisagree * (n.most + n.least) && sum.a > 0.0;
     if (!known && plane.a > 0.0) list(pixel);
