@@ -13,7 +13,7 @@ struct RenderScene;
 /// Appends a value's bytes: equal strings mean that nothing has changed.
 template <class T>
 void append_state(std::string& state, const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
+    static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>);
     state.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 

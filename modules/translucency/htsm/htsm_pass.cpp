@@ -135,7 +135,7 @@ void HtsmPass::arrive(PassContext& context, const Surface& surface, Object& obje
     for (size_t i = 0; i < object.lights.size(); ++i) {
         Arriving& arriving = object.lights[i];
         std::string source = source_of(frame, i, surface, object.solid);
-        append_state(source, plan_->paints().of(surface, settings_.model));
+        append_state(source, plan_->paints().number(surface, settings_.model));
         if (source == arriving.made_from) continue;
         arriving.made_from = std::move(source);
         for (gpu::Texture* made : {&arriving.light, &arriving.travels})

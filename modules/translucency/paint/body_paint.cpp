@@ -27,7 +27,6 @@ gpu::Texture volume_of(glm::ivec3 size, const std::vector<glm::vec4>& voxels) {
 
 void make(BodyPaint& made, const Surface& surface, Model model) {
     const auto begun = std::chrono::steady_clock::now();
-    made.made = true;
     made.shape = shape_of(surface.transform);
     const Optics optics = optics_of(*surface.interior);
     const PaintedBody body{optics, model, metres_of_unit(world_from_stretched(surface, made.shape)),
@@ -64,8 +63,16 @@ const BodyPaint* PaintStore::of(const Surface& surface, Model model) {
     }
     const TextureSlot& slot = material.paint_texture;
     BodyPaint& paint = kept_.at({shape_key(surface), model, slot.texture ? slot.texture->id : 0, numbers});
-    if (!paint.made) make(paint, surface, model);
+    if (paint.number == 0) {
+        paint.number = ++made_;
+        make(paint, surface, model);
+    }
     return paint.ends.name() == 0 ? nullptr : &paint;
+}
+
+uint64_t PaintStore::number(const Surface& surface, Model model) {
+    const BodyPaint* paint = of(surface, model);
+    return paint ? paint->number : 0;
 }
 
 void PaintBinding::set(const BodyPaint* paint, const Surface& surface) {

@@ -19,7 +19,7 @@ struct BodyPaint {
     gpu::Texture ends, even;
     glm::mat4 grid_from_shape{1.0f};  ///< from the stretched mesh's space
     glm::vec3 shape{1.0f};
-    bool made = false;
+    uint64_t number = 0;  ///< no other has it; 0 before it is made
     bool closed = false;  ///< the body encloses something
 };
 
@@ -28,11 +28,14 @@ class PaintStore {
  public:
     /// Null where nothing is painted, and of a mesh without area. It stays good while it is asked for.
     [[nodiscard]] const BodyPaint* of(const Surface& surface, Model model);
+    /// Another where the paint is another; 0 without.
+    [[nodiscard]] uint64_t number(const Surface& surface, Model model);
     void end_frame() { kept_.end_frame(); }
 
  private:
     using Numbers = std::array<float, 17>;
     Kept<std::tuple<ShapeKey, Model, uint64_t, Numbers>, BodyPaint> kept_;
+    uint64_t made_ = 0;
 };
 
 /// What shaders/paint.glsl reads. Without paint all is open.

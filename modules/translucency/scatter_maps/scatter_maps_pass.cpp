@@ -155,7 +155,7 @@ void ScatterMapsPass::update_maps(PassContext& context, const Surface& surface, 
         append_light_state(state, frame, i, objects_.frame());
         append_state(state, surface.transform);
         append_state(state, object.version);
-        append_state(state, plan_->paints().of(surface, settings_.model));
+        append_state(state, plan_->paints().number(surface, settings_.model));
         append_state(state, size);
         object.maps[i].update(
             context, i, surface, size, std::move(state),

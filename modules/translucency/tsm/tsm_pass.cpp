@@ -97,7 +97,7 @@ void TsmPass::see(PassContext& context, const Drawn& drawn, size_t light) {
     append_state(state, drawn.object.size.radius);
     append_state(state, optics_of(*surface.interior));
     append_state(state, settings_.scaling);
-    append_state(state, plan_->paints().of(surface, settings_.model));
+    append_state(state, plan_->paints().number(surface, settings_.model));
     append_state(state, texels());
     if (state == map.made_from) return;
     map.made_from = std::move(state);
