@@ -6,20 +6,11 @@
 #include <glm/matrix.hpp>
 
 #include "core/parallel.h"
+#include "reference/channels.h"
 
 namespace tyndall::reference {
-namespace {
 
 using glm::vec3;
-
-float mean_of(const vec3& v) {
-    return (v.x + v.y + v.z) / 3.0f;
-}
-float largest(const vec3& v) {
-    return std::max(v.x, std::max(v.y, v.z));
-}
-
-}  // namespace
 
 MediumVolume::MediumVolume(vec3 scattering, vec3 absorption, vec3 glow, const PhaseFunction& function,
                            const DensityField& field, const glm::mat4& local_to_world, const Bounds& local,

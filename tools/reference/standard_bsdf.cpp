@@ -4,6 +4,7 @@
 
 #include "core/parallel.h"
 #include "physics/tables.h"
+#include "reference/channels.h"
 #include "reference/textures.h"
 
 namespace tyndall::reference {
@@ -14,10 +15,6 @@ using glm::vec3;
 
 constexpr int kAlbedoSteps = 48;
 constexpr float kLeastCosine = 1e-3f;
-
-float largest(const vec3& v) {
-    return glm::max(v.x, glm::max(v.y, v.z));
-}
 
 /// Cosine-weighted mean over the hemisphere of Schlick's F.
 vec3 mean_fresnel(const vec3& f0, const vec3& f90) {

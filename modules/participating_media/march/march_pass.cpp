@@ -28,7 +28,7 @@ std::string found(const MediaSettings& settings) {
     return filters_apart(settings) ? "media_marched_filtered" : found_grainy(settings);
 }
 
-std::string media_end(const MediaBuffer& media) {
+std::string media_end_define(const MediaBuffer& media) {
     return MarchTerms::media_end(media.bounds()) ? "MEDIA_END 1" : "MEDIA_END 0";
 }
 
@@ -36,7 +36,7 @@ std::string media_end(const MediaBuffer& media) {
 gpu::ProgramDesc filter(const MediaBuffer& media, int radius) {
     return {.name = "participating_media.filter",
             .fragment = "participating_media/march/filter.frag",
-            .defines = {fmt::format("RADIUS {}", radius), media_end(media)}};
+            .defines = {fmt::format("RADIUS {}", radius), media_end_define(media)}};
 }
 
 }  // namespace
@@ -101,9 +101,10 @@ void GatherPass::execute(PassContext& context) {
     }
     constexpr std::array<std::string_view, 1> kTargets{"media_in_scatter"};
     context.bind_targets(kTargets, -1);
-    gpu::ProgramDesc all = filter(*media_, settings_.filter ? 1 : 0);
-    all.defines.emplace_back("AT_FULL_RESOLUTION");
-    draw(context, marched ? all : kNothing);
+    if (!marched) return draw(context, kNothing);
+    gpu::ProgramDesc filtered = filter(*media_, settings_.filter ? 1 : 0);
+    filtered.defines.emplace_back("AT_FULL_RESOLUTION");
+    draw(context, filtered);
 }
 
 void GatherPass::draw(PassContext& context, const gpu::ProgramDesc& desc) {
@@ -137,7 +138,7 @@ void GatherPass::upsample(PassContext& context) {
 void GatherPass::add_shares(PassContext& context) {
     const gpu::ProgramDesc shares{.name = "participating_media.shares",
                                   .compute = "participating_media/march/shares.comp",
-                                  .defines = {"GUIDE_ONLY", media_end(*media_)}};
+                                  .defines = {"GUIDE_ONLY", media_end_define(*media_)}};
     constexpr std::array<std::string_view, 1> kTargets{"media_in_scatter"};
     const gpu::Program& program = context.frame().shaders.program(shares);
     program.use();

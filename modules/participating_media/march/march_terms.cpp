@@ -161,15 +161,15 @@ int MarchTerms::steps() const {
 }
 
 void MarchTerms::bind(const gpu::Program& program, PassContext& context) const {
-    bind_ray(program, context, media_->bounds(), step());
     program.set("least_transmittance", settings_.least_transmittance);
-    if (way_ == Way::guide_only) {
-        program.texture("media_shares", context.texture("media_shares"), {.filter = gpu::Filter::nearest});
-        return;
-    }
     if (way_ == Way::spread) {
         bind_shares(program, context, *marched_, *list_);
         program.image("media_in_scatter", context.texture("media_in_scatter"), 0, true);
+        return;
+    }
+    bind_ray(program, context, media_->bounds(), step());
+    if (way_ == Way::guide_only) {
+        program.texture("media_shares", context.texture("media_shares"), {.filter = gpu::Filter::nearest});
         return;
     }
     if (way_ == Way::listed) {
