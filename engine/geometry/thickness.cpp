@@ -1,7 +1,5 @@
 #include "geometry/thickness.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,44 +29,10 @@ std::vector<glm::vec3> spread_directions(int count) {
 
 }  // namespace
 
-/// The mesh's triangles for ray casts.
-struct InwardRays::Scene {
-    explicit Scene(const Mesh& mesh)
-        : device(rtcNewDevice(nullptr), &rtcReleaseDevice), scene(rtcNewScene(device.get()), &rtcReleaseScene) {
-        const std::unique_ptr<RTCGeometryTy, decltype(&rtcReleaseGeometry)> geometry(
-            rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE), &rtcReleaseGeometry);
-        auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
-            geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));
-        auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
-            geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), mesh.triangle_count()));
-        for (size_t i = 0; i < mesh.positions.size(); ++i)
-            for (int c = 0; c < 3; ++c) positions[3 * i + size_t(c)] = mesh.positions[i][c];
-        std::copy_n(mesh.indices.begin(), 3 * mesh.triangle_count(), indices);
-        rtcCommitGeometry(geometry.get());
-        rtcAttachGeometry(scene.get(), geometry.get());
-        rtcCommitScene(scene.get());
-    }
-    /// To the first triangle, at most `farthest`.
-    [[nodiscard]] float distance(const glm::vec3& from, const glm::vec3& direction, float farthest) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRayHit hit{};
-        hit.ray = {from.x, from.y, from.z, 0.0f, direction.x, direction.y, direction.z, 0.0f, farthest, ~0u, 0, 0};
-        hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene.get(), &context, &hit);
-        return hit.ray.tfar;
-    }
-
-    std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device;
-    std::unique_ptr<RTCSceneTy, decltype(&rtcReleaseScene)> scene;
-};
-
 InwardRays::InwardRays(const Mesh& mesh, int count)
-    : scene_(std::make_unique<Scene>(mesh)),
+    : triangles_(mesh),
       directions_(spread_directions(count)),
       body_size_(glm::distance(mesh.bounds.low, mesh.bounds.high)) {}
-
-InwardRays::~InwardRays() = default;
 
 float InwardRays::thickness(const glm::vec3& position, const glm::vec3& normal, float turn) const {
     const glm::vec3 inward = -normal;
@@ -83,8 +47,10 @@ float InwardRays::thickness(const glm::vec3& position, const glm::vec3& normal, 
     const float below = kBelow * body_size_;
     const glm::vec3 from = position + below * inward;
     float sum = 0.0f;
-    for (const glm::vec3& d : directions_)
-        sum += d.z * scene_->distance(from, d.x * x + d.y * y + d.z * inward, body_size_);
+    for (const glm::vec3& d : directions_) {
+        const auto hit = triangles_.cast(from, d.x * x + d.y * y + d.z * inward, body_size_);
+        sum += d.z * (hit ? hit->distance : body_size_);
+    }
     return below + sum / float(directions_.size());
 }
 

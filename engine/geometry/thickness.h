@@ -1,10 +1,9 @@
 #pragma once
 /// How thick a body is below its surface.
 
-#include <memory>
 #include <vector>
 
-#include "geometry/mesh.h"
+#include "geometry/ray_mesh.h"
 
 namespace tyndall {
 
@@ -13,9 +12,6 @@ class InwardRays {
  public:
     /// `count` rays a place.
     InwardRays(const Mesh& mesh, int count);
-    ~InwardRays();
-    InwardRays(const InwardRays&) = delete;
-    InwardRays& operator=(const InwardRays&) = delete;
 
     /// The mean depth below the surface at which the rays leave the body, in the mesh's unit: a slab's thickness, a
     /// sphere's radius (Barre-Brisebois & Bouchard 2011 bake inverted ambient occlusion, which has no length). What
@@ -24,8 +20,7 @@ class InwardRays {
     [[nodiscard]] float thickness(const glm::vec3& position, const glm::vec3& normal, float turn = 0.0f) const;
 
  private:
-    struct Scene;
-    std::unique_ptr<Scene> scene_;
+    RayMesh triangles_;
     std::vector<glm::vec3> directions_;
     float body_size_ = 0.0f;
 };
