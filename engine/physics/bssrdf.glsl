@@ -115,51 +115,39 @@ FN vec3 normalised_diffusion(vec3 albedo, vec3 mean_free_path, float r) {
     return albedo * (exp(-r / d) + exp(-r / (3.0f * d))) / (8.0f * kPi * r * d);
 }
 
-/// Frisvad, Hachisuka & Kjeldsen 2014: one source of the directional dipole. `x` leads from it to where the light leaves,
-/// `w` is the way it sends light, `r` the distance (the model's own for the real one).
-FN vec3 directional_source(Diffusion m, vec3 x, vec3 w, vec3 normal, vec3 r, int channel) {
-    float sigma_tr = m.sigma_tr[channel];
-    float d = m.coefficient[channel];
-    float distance = r[channel];
-    float s = sigma_tr * distance;
-    float xw = dot(x, w);
-    float xn = dot(x, normal);
-    float fluence = distance * distance / d + 3.0f * (1.0f + s) * xw;
-    float slope = 3.0f * d * (1.0f + s) * dot(w, normal) -
-                  ((1.0f + s) + 3.0f * d * (3.0f * (1.0f + s) + s * s) / (distance * distance) * xw) * xn;
-    float value = exp(-s) / (4.0f * kPi * distance * distance * distance) * (m.c_phi * fluence - m.c_e * slope);
-    vec3 at = vec3(0.0f);
-    at[channel] = value;
-    return at;
+/// Frisvad, Hachisuka & Kjeldsen 2014: exitance of one source of the directional dipole, a channel each. `r` is the
+/// distance to where the light leaves (the model's own for the real one); `xw` and `xn` the way there along the way in which
+/// the source sends light and along the normal where the light leaves, `wn` the cosine between these two.
+FN vec3 directional_source(Diffusion m, vec3 r, vec3 xw, vec3 xn, float wn) {
+    vec3 s = m.sigma_tr * r, s1 = vec3(1.0f) + s;
+    vec3 nearness = vec3(1.0f) / (r * r);
+    vec3 fluence = r * r / m.coefficient + 3.0f * s1 * xw;
+    vec3 slope = 3.0f * m.coefficient * s1 * wn - (s1 + 3.0f * m.coefficient * (3.0f * s1 + s * s) * nearness * xw) * xn;
+    return exp(-s) * nearness / (4.0f * kPi * r) * (m.c_phi * fluence - m.c_e * slope);
 }
 
 /// The directional dipole: light that enters along the unit vector `w` (already refracted) where the unit normal is
 /// `normal_in` and leaves `x` metres from there where it is `normal_out`. As published it returns up to twice as much light
 /// as a half-space does, some materials more than enters.
 FN vec3 directional_dipole(Diffusion m, vec3 x, vec3 w, vec3 normal_in, vec3 normal_out) {
-    float r2 = dot(x, x);
+    float r2 = dot(x, x), xw = dot(x, w), xn = dot(x, normal_out), wn = dot(w, normal_out);
     vec3 d_e = 2.131f * m.coefficient / sqrt(max(m.albedo_reduced, vec3(1e-4f)));
-    float front = -dot(w, normal_out);
     // of the real source: what is seen from the lit side lies farther
-    float xw = dot(x, w);
     vec3 cos_beta = -sqrt(max(r2 - xw * xw, 0.0f) / (vec3(r2) + d_e * d_e));
-    vec3 lit = m.coefficient * front * (m.coefficient * front - 2.0f * d_e * cos_beta);
+    vec3 lit = m.coefficient * wn * (m.coefficient * wn + 2.0f * d_e * cos_beta);
     vec3 back = vec3(1.0f) / (9.0f * m.sigma_t * m.sigma_t);
-    vec3 d_real = sqrt(max(vec3(r2) + (front > 0.0f ? lit : back), vec3(1e-20f)));
+    vec3 d_real = sqrt(max(vec3(r2) + (wn < 0.0f ? lit : back), vec3(1e-20f)));
     // the plane that mirrors it holds x
-    vec3 across = cross(normal_in, x);
+    vec3 across = r2 * normal_in - dot(x, normal_in) * x;
     float l2 = dot(across, across);
-    vec3 mirror = l2 > 1e-12f * r2 && r2 > 0.0f ? normalize(cross(x, across)) : normal_in;
-    vec3 w_mirrored = w - 2.0f * dot(w, mirror) * mirror;
-    float a = (1.0f - m.c_e) / (2.0f * m.c_phi);
-    vec3 sum = vec3(0.0f);
-    for (int channel = 0; channel < 3; ++channel) {
-        vec3 x_mirrored = x - 2.0f * a * d_e[channel] * mirror;
-        vec3 d_mirrored = vec3(max(length(x_mirrored), 1e-10f));
-        sum += directional_source(m, x, w, normal_out, d_real, channel) -
-               directional_source(m, x_mirrored, w_mirrored, normal_out, d_mirrored, channel);
-    }
-    return max(sum, vec3(0.0f));
+    vec3 mirror = l2 > 1e-12f * r2 * r2 && r2 > 0.0f ? across / sqrt(l2) : normal_in;
+    float xm = dot(x, mirror), wm = dot(w, mirror), mn = dot(mirror, normal_out);
+    vec3 apart = ((1.0f - m.c_e) / m.c_phi) * d_e;  // of the two sources
+    vec3 d_mirrored = sqrt(max(vec3(r2) + apart * (apart - 2.0f * xm), vec3(1e-20f)));
+    vec3 xw_mirrored = vec3(xw - 2.0f * wm * xm) + apart * wm;
+    return max(directional_source(m, d_real, vec3(xw), vec3(xn), wn) -
+                   directional_source(m, d_mirrored, xw_mirrored, vec3(xn) - apart * mn, wn - 2.0f * wm * mn),
+               vec3(0.0f));
 }
 
 #endif
