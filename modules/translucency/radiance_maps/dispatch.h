@@ -10,8 +10,6 @@
 
 namespace tyndall::translucency {
 
-/// The target that says which object a pixel shows.
-inline constexpr const char* kMarks = "radiance_map_marks";
 /// The target with the irradiance from all around.
 inline constexpr const char* kAround = "radiance_map_around";
 

@@ -109,7 +109,8 @@ void LightMaps::make_block() {
 void LightMaps::draw(gpu::ShaderLibrary& shaders, const ViewMaps& body, const gpu::Buffer& scales) {
     const gpu::Program& program = shaders.program({.name = "translucency.radiance_maps.map",
                                                    .vertex = "translucency/radiance_maps/map.vert",
-                                                   .fragment = "translucency/radiance_maps/map.frag"});
+                                                   .fragment = "translucency/radiance_maps/map.frag",
+                                                   .defines = {"PLACES", "SCALES"}});
     program.use();
     const DrawState state(DepthState::write);
     for (size_t i = 0; i < layers_.size(); ++i) {

@@ -8,6 +8,7 @@
 
 #include "radiance_maps/dispatch.h"
 #include "radiance_maps/radiance_maps_pass.h"
+#include "render/light_state.h"
 #include "render/pixel_rectangle.h"
 #include "render/seams.h"
 
@@ -28,18 +29,19 @@ void wait_for_shaders() {
                     GL_COMMAND_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
-void RadianceMapsPass::clear_marks(PassContext& context) {
-    constexpr float kNothing[4] = {};
-    const std::string_view targets[] = {kMarks};
+void RadianceMapsPass::forget_around(PassContext& context) {
+    constexpr float kUnknown[4] = {};
+    const std::string_view targets[] = {kAround};
     context.bind_targets(targets, -1);
-    glClearBufferfv(GL_COLOR, 0, kNothing);
+    glClearBufferfv(GL_COLOR, 0, kUnknown);
 }
 
-void RadianceMapsPass::mark(PassContext& context, const Seen& seen) {
-    static const gpu::ProgramDesc kDesc{.name = "translucency.radiance_maps.mark",
-                                        .vertex = "translucency/radiance_maps/mark.vert",
-                                        .fragment = "translucency/radiance_maps/mark.frag"};
-    const std::string_view targets[] = {kMarks, kAround};
+/// Draws the object into the target with the light from all around.
+void RadianceMapsPass::light_around(PassContext& context, const Seen& seen) {
+    static const gpu::ProgramDesc kDesc{.name = "translucency.radiance_maps.around",
+                                        .vertex = "translucency/radiance_maps/around.vert",
+                                        .fragment = "translucency/radiance_maps/around.frag"};
+    const std::string_view targets[] = {kAround};
     context.bind_targets(targets, -1);
     Frame& frame = context.frame();
     const gpu::Program& program = frame.shaders.program(kDesc);
@@ -52,7 +54,6 @@ void RadianceMapsPass::mark(PassContext& context, const Seen& seen) {
     program.set("clip_from_world", frame.block.view_projection);
     const glm::mat3 turn(seen.world_from_body);
     program.set("normals_to_world", turn / std::cbrt(std::abs(glm::determinant(turn))));
-    program.set("number", seen.number);
     glEnable(GL_CULL_FACE);
     glFrontFace(glm::determinant(glm::mat3(seen.world_from_body)) < 0.0f ? GL_CW : GL_CCW);
     seen.body.mesh().draw(seen.object.balanced);
@@ -63,14 +64,15 @@ void RadianceMapsPass::mark(PassContext& context, const Seen& seen) {
 void RadianceMapsPass::combine(PassContext& context, const Seen& seen) {
     Frame& frame = context.frame();
     const PixelRectangle pixels = pixels_of(seen.surface.bounds, frame.block.view_projection, context.size());
-    const gpu::Program& program = use_compute(context, "combine");
+    const bool around = has_light_all_around(frame.scene);
+    const gpu::Program& program =
+        use_compute(context, "combine", around ? std::vector<std::string>{"AROUND"} : std::vector<std::string>{});
     seen.object.interior.bind(program);
     program.block("State", seen.object.state);
     program.block("Views", seen.body.block());
-    for (const char* target : {"scene_depth", "gbuffer_normal"})
+    for (const char* target : {"scene_depth", "gbuffer_normal", "gbuffer_surface"})
         program.texture(target, context.texture(target), {.filter = gpu::Filter::nearest});
-    program.texture("marks", context.texture(kMarks), {.filter = gpu::Filter::nearest});
-    program.texture("around", context.texture(kAround), {.filter = gpu::Filter::nearest});
+    if (around) program.texture("around", context.texture(kAround), {.filter = gpu::Filter::nearest});
     program.texture("places", seen.body.places(), {.filter = gpu::Filter::nearest});
     program.texture("leaving", seen.object.leaving, {.filter = gpu::Filter::nearest});
     program.image("light_diffuse", context.texture("light_diffuse"), 0, true);

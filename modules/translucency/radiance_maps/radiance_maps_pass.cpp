@@ -12,6 +12,7 @@
 #include "radiance_maps/balance.h"
 #include "radiance_maps/dispatch.h"
 #include "render/frame.h"
+#include "render/light_state.h"
 #include "render/pixel_rectangle.h"
 #include "render/seams.h"
 
@@ -61,25 +62,25 @@ void RadianceMapsPass::declare(PassDeclaration& declaration) {
     declaration.stage(Stage::diffusion)
         .reads("scene_depth", "where the surfaces are seen")
         .reads("gbuffer_normal", "toward the eye")
-        .writes(kMarks, {.format = gpu::Format::rgba16f},
-                "which object is seen, by number, and what its kernel is multiplied by")
+        .reads("gbuffer_surface", "which surface is seen")
         .writes(kAround, {.format = gpu::Format::rgba32f},
-                "irradiance from all around where light that leaves there has entered")
+                "irradiance from all around where light that leaves there has entered; alpha 1 where it is known")
         .updates("light_diffuse", "light that leaves translucent surfaces in place of what arrives there")
         .after("translucency.htsm");
 }
 
 void RadianceMapsPass::execute(PassContext& context) {
-    float number = 0.0f;
-    bool cleared = false;  // the marks: where no object is seen nothing need be
-    if (settings_.enabled)
-        for (const size_t index : plan_->surfaces(context.frame().scene, Technique::radiance_maps))
-            render(context, context.frame().scene.surfaces[index], number += 1.0f, cleared);
+    const RenderScene& scene = context.frame().scene;
+    const auto surfaces = plan_->surfaces(scene, Technique::radiance_maps);
+    if (settings_.enabled && !surfaces.empty()) {
+        if (has_light_all_around(scene)) forget_around(context);
+        for (const size_t index : surfaces) render(context, scene.surfaces[index], float(index + 1));
+    }
     objects_.end_frame();
     bodies_.end_frame();
 }
 
-void RadianceMapsPass::render(PassContext& context, const Surface& surface, float number, bool& cleared) {
+void RadianceMapsPass::render(PassContext& context, const Surface& surface, float number) {
     const float volume = std::abs(glm::determinant(glm::mat3(surface.transform)));
     if (!(volume > 0.0f) || !std::isfinite(volume)) return;
     if (pixels_of(surface.bounds, context.frame().block.view_projection, context.size()).empty()) return;
@@ -95,9 +96,7 @@ void RadianceMapsPass::render(PassContext& context, const Surface& surface, floa
         filter(context, seen);
     }
     object.restart = false;
-    if (!cleared) clear_marks(context);
-    cleared = true;
-    mark(context, seen);
+    if (has_light_all_around(context.frame().scene)) light_around(context, seen);
     combine(context, seen);
 }
 
@@ -132,6 +131,12 @@ RadianceMapsPass::Object& RadianceMapsPass::object_of(const Surface& surface, co
                                    .layers = body.views(),
                                    .mips = ViewMaps::kLevels},
                                   "translucency.maps.leaving");
+    object.scales = gpu::Texture({.shape = gpu::Shape::array,
+                                  .format = gpu::Format::rgba16f,
+                                  .width = body.resolution(),
+                                  .height = body.resolution(),
+                                  .layers = body.views()},
+                                 "translucency.maps.scales");
     for (int level = 0; level < ViewMaps::kLevels; ++level) object.leaving.clear(level, glm::vec4(0.0f));
     const std::array<uint32_t, 16> nothing{};
     object.state = gpu::Buffer(std::span<const uint32_t>(nothing), "translucency.maps.state");
@@ -151,6 +156,7 @@ void RadianceMapsPass::prepare(PassContext& context, const Seen& seen) {
         const std::vector<Balanced> vertices =
             balance(mesh, object.key.optics, settings_.model, settings_.scaling, seen.metres_of_unit);
         object.balanced = gpu::Buffer(std::span<const Balanced>(vertices), "translucency.maps.balanced");
+        seen.body.draw_scales(context.frame().shaders, object.balanced, object.scales);
     }
     const RadianceMapsSettings& settings = settings_.radiance_maps;
     const bool moved =
@@ -219,6 +225,7 @@ void RadianceMapsPass::gather(PassContext& context, const Seen& seen) {
     seen.object.interior.bind(program);
     program.block("State", seen.object.state);
     for (const auto& [name, texture] : {std::pair<const char*, const gpu::Texture*>{"places", &seen.body.places()},
+                                        {"scales", &seen.object.scales},
                                         {"texels", &seen.body.texels()},
                                         {"blue_noise", &blue_noise_}})
         program.texture(name, *texture, {.filter = gpu::Filter::nearest});

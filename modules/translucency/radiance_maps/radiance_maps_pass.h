@@ -36,6 +36,7 @@ class RadianceMapsPass final : public Pass {
         LightMaps lights;
         gpu::Buffer balanced;  ///< of the vertices
         gpu::Texture leaving;  ///< a layer a view: what leaves, and its coarser levels
+        gpu::Texture scales;   ///< likewise: what the kernel is multiplied by
         gpu::Buffer state;     ///< shaders/radiance_maps/layers.glsl
         int samples = 0;
         bool restart = true;
@@ -49,18 +50,18 @@ class RadianceMapsPass final : public Pass {
         Object& object;
         glm::mat4 world_from_body;
         float metres_of_unit;
-        float number;
+        float number;  ///< of the surface, as the G-buffer has it
     };
 
-    void render(PassContext& context, const Surface& surface, float number, bool& cleared);
-    static void clear_marks(PassContext& context);
+    void render(PassContext& context, const Surface& surface, float number);
     Body& body_of(PassContext& context, const Surface& surface);
     Object& object_of(const Surface& surface, const ViewMaps& body);
     void prepare(PassContext& context, const Seen& seen);
     void enter(PassContext& context, const Seen& seen);
     void gather(PassContext& context, const Seen& seen);
     void filter(PassContext& context, const Seen& seen) const;
-    static void mark(PassContext& context, const Seen& seen);
+    static void forget_around(PassContext& context);
+    static void light_around(PassContext& context, const Seen& seen);
     void combine(PassContext& context, const Seen& seen);
 
     std::shared_ptr<TechniquePlan> plan_;

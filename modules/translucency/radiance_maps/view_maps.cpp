@@ -79,33 +79,38 @@ ViewMaps::ViewMaps(gpu::ShaderLibrary& shaders, const Mesh& mesh, int views, int
         out[2] = glm::vec4(toward, view.side);
     }
     block_ = gpu::Buffer(sizeof block, &block, "translucency.maps.views");
-    draw(shaders);
-    list_and_halve();
-}
-
-void ViewMaps::draw(gpu::ShaderLibrary& shaders) {
     places_ = gpu::Texture({.shape = gpu::Shape::array,
                             .format = gpu::Format::rgba32f,
                             .width = resolution_,
                             .height = resolution_,
-                            .layers = views(),
+                            .layers = this->views(),
                             .mips = kLevels},
                            "translucency.maps.places");
+    const std::vector<glm::vec3> nothing(4 * drawn_.positions.size());
+    draw(shaders, gpu::Buffer(std::span<const glm::vec3>(nothing), "translucency.maps.own"), places_, {"PLACES"});
+    list_and_halve();
+}
+
+void ViewMaps::draw_scales(gpu::ShaderLibrary& shaders, const gpu::Buffer& own, const gpu::Texture& scales) const {
+    draw(shaders, own, scales, {"SCALES"});
+}
+
+void ViewMaps::draw(gpu::ShaderLibrary& shaders, const gpu::Buffer& own, const gpu::Texture& target,
+                    std::vector<std::string> defines) const {
     const gpu::Texture depth({.format = gpu::Format::depth32f, .width = resolution_, .height = resolution_},
                              "translucency.maps.depth");
-    const std::vector<glm::vec3> nothing(4 * drawn_.positions.size());
-    const gpu::Buffer own(std::span<const glm::vec3>(nothing), "translucency.maps.own");
     const gpu::Program& program = shaders.program({.name = "translucency.radiance_maps.map",
                                                    .vertex = "translucency/radiance_maps/map.vert",
-                                                   .fragment = "translucency/radiance_maps/map.frag"});
+                                                   .fragment = "translucency/radiance_maps/map.frag",
+                                                   .defines = std::move(defines)});
     program.use();
     const DrawState state(DepthState::write);
     for (int i = 0; i < views(); ++i) {
-        const std::array<gpu::Framebuffer::Attachment, 1> colour{{{.texture = &places_, .layer = i}}};
-        const gpu::Framebuffer target(colour, {.texture = &depth}, "translucency.maps.view");
-        target.bind();
-        target.clear_colour(0, glm::vec4(0.0f));
-        target.clear_depth();
+        const std::array<gpu::Framebuffer::Attachment, 1> colour{{{.texture = &target, .layer = i}}};
+        const gpu::Framebuffer view(colour, {.texture = &depth}, "translucency.maps.view");
+        view.bind();
+        view.clear_colour(0, glm::vec4(0.0f));
+        view.clear_depth();
         program.set("clip_from_body", views_[size_t(i)].clip_from_body);
         mesh_.draw(own);
     }

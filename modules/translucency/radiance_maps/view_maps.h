@@ -2,6 +2,7 @@
 /// What cameras all around an object see of it: places, in maps.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "gpu/gpu.h"
@@ -32,13 +33,16 @@ class ViewMaps {
     /// As it is drawn: large triangles are cut.
     [[nodiscard]] const Mesh& drawn() const { return drawn_; }
     [[nodiscard]] size_t bytes() const;
+    /// Draws what an object's kernel is multiplied by (attribute 2 of `own`) at the texels of `scales`, a layer a view.
+    void draw_scales(gpu::ShaderLibrary& shaders, const gpu::Buffer& own, const gpu::Texture& scales) const;
 
     glm::vec3 middle{0.0f};  ///< of a sphere that holds the mesh
     float radius = 0.0f;
     float sphere_radius = 0.0f;  ///< 3 times the volume over the surface; 0 = open
 
  private:
-    void draw(gpu::ShaderLibrary& shaders);
+    void draw(gpu::ShaderLibrary& shaders, const gpu::Buffer& own, const gpu::Texture& target,
+              std::vector<std::string> defines) const;
     void list_and_halve();
 
     Mesh drawn_;

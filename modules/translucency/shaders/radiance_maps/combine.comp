@@ -11,8 +11,10 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D scene_depth;
 uniform sampler2D gbuffer_normal;
-uniform sampler2D marks;
-uniform sampler2D around;
+uniform sampler2D gbuffer_surface;
+#ifdef AROUND
+uniform sampler2D around;  // irradiance from all around; a: 1 where it is known
+#endif
 uniform sampler2DArray places;
 uniform sampler2DArray leaving;
 layout(rgba32f) writeonly uniform image2D light_diffuse;
@@ -97,19 +99,24 @@ vec3 kernel_integral() {
 void main() {
     ivec2 pixel = low + ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, ivec2(frame.size_time.xy)))) return;
-    vec4 mark = texelFetch(marks, pixel, 0);
-    if (mark.a != number) return;
+    if (surface_number(texelFetch(gbuffer_surface, pixel, 0)) != number) return;
+#ifdef AROUND
+    vec4 surroundings = texelFetch(around, pixel, 0);
+    if (surroundings.a == 0.0) return;
+#endif
     vec2 uv = (vec2(pixel) + 0.5) / frame.size_time.xy;
     vec3 place = world_from_depth(uv, texelFetch(scene_depth, pixel, 0).x);
     vec3 normal = decode_lit_point(texelFetch(gbuffer_normal, pixel, 0)).normal;
     float cosine = standard_nov(normal, -eye_ray(uv));
     vec3 body_normal = normalize(mat3(body_from_world) * normal);
     vec4 leaves = layer_count > 0 ? leaving_at((body_from_world * vec4(place, 1.0)).xyz, body_normal) : vec4(0.0);
-    leaves.rgb *= mark.rgb;
-    float deep = clamp(leaves.a / max(luminance_rec709(leaves.rgb / max(mark.rgb, vec3(1e-6))), 1e-30), 0.0, 1.0);
+    float deep = clamp(leaves.a / max(luminance_rec709(leaves.rgb), 1e-30), 0.0, 1.0);
     vec3 near = near_pattern(cosine);
-    vec3 even = texelFetch(around, pixel, 0).rgb * mean_entering() * mean_leaving() * leaves_where_it_enters(place);
+    vec3 even = vec3(0.0);
+#ifdef AROUND
+    even = surroundings.rgb * mean_entering() * mean_leaving() * leaves_where_it_enters(place);
     if (interior.boundary.z == 0.0) even *= kernel_integral();
+#endif
     // The compose pass multiplies by the base and by what the mirror lets through, which is how light passes outward.
     vec3 scale = 1.0 / (max(interior.base_entering.rgb, vec3(1e-4)) * mean_entering());
     imageStore(light_diffuse, pixel, vec4(scale * (mix(near, deep_pattern(cosine), deep) * leaves.rgb + near * even), 0.0));

@@ -43,7 +43,7 @@ void main() {
         float cosine = clamp(dot(normal, to_light), 0.0, 1.0);
         if (cosine > 0.0 && irradiance != vec3(0.0)) {
             irradiance *= light_transmittance(light_index, place, normal);
-            float through = (1.0 - fresnel_dielectric(cosine, interior_eta())) * texel_area(texel.z, seen.xyz);
+            float through = entering_share(cosine) * texel_area(texel.z, seen.xyz);
             vec3 refracted = refract(-to_light, normal, 1.0 / interior_eta());
             flux.rgb = irradiance * texelFetch(seen_scales, texel, 0).rgb * leaving_share(cosine) *
                        slanted_scale(cosine) * through * enters_to_wander(place);

@@ -13,11 +13,12 @@
 
 layout(local_size_x = 64) in;
 uniform sampler2DArray places;
+uniform sampler2DArray scales;  // what the kernel is multiplied by where the light leaves
 uniform usampler2D texels;
 uniform sampler2DArray entry_places;
 uniform sampler2DArray entry_fluxes;
 uniform sampler2D blue_noise;
-layout(rgba32f) uniform image2DArray leaving;  // exitance not scaled there, lm/m2; a: luminance of what comes from deep
+layout(rgba32f) uniform image2DArray leaving;  // exitance, lm/m2; a: luminance of what comes from deep
 uniform int texel_count;
 uniform int samples;
 uniform float piece_radius;  // metres
@@ -230,8 +231,11 @@ void main() {
     float even = 0.0;
     for (int layer = 0; layer < layer_count; ++layer)
         sum += gathered(layer, seen.xyz, normal, rotation, frame * uint(count), count, wide, narrow, even);
+    float unscaled = luminance_rec709(sum.rgb);
+    sum.rgb *= texelFetch(scales, texel, 0).rgb;
+    float scale = luminance_rec709(sum.rgb) / max(unscaled, 1e-30);
     vec4 before = frame > 0u ? imageLoad(leaving, texel) : vec4(0.0);
     vec3 mean = mix(before.rgb, sum.rgb, 1.0 / float(frame + 1u));
-    float deep = clamp(1.0 - even / max(luminance_rec709(mean), 1e-30), 0.0, 1.0) * sum.a;
+    float deep = clamp(1.0 - scale * even / max(luminance_rec709(mean), 1e-30), 0.0, 1.0) * scale * sum.a;
     imageStore(leaving, texel, vec4(mean, mix(before.a, deep, 1.0 / float(frame + 1u))));
 }

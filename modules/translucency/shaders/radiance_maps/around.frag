@@ -1,18 +1,14 @@
-// Numbers the pixels where an object is seen, with what its kernel is multiplied by there, and finds the light from all
-// around.
+// Light from all around, as it is where light that leaves a pixel has entered.
 #include "render/shaders/frame.glsl"
 #include "render/shaders/gbuffer.glsl"
 #include "seams/indirect_light.glsl"
 
-in vec3 v_scale;
 in vec3 v_own;
 in vec3 v_others;
 in vec3 v_sizes;
 uniform sampler2D scene_depth;
 uniform sampler2D gbuffer_normal;
-uniform float number;
-layout(location = 0) out vec4 mark;
-layout(location = 1) out vec4 around;
+layout(location = 0) out vec4 around;
 
 vec3 irradiance(vec3 place, vec3 normal) { return indirect_light(place, normal, normal, 1.0).irradiance; }
 
@@ -35,7 +31,6 @@ void main() {
     float depth = texelFetch(scene_depth, pixel, 0).x;
     // another surface is in front
     if (depth <= 0.0 || abs(view_depth(depth) * gl_FragCoord.w - 1.0) > 5e-4) discard;
-    mark = vec4(v_scale, number);
     vec3 normal = decode_lit_point(texelFetch(gbuffer_normal, pixel, 0)).normal;
-    around = vec4(mean_irradiance(world_from_depth(gl_FragCoord.xy / frame.size_time.xy, depth), normal), 0.0);
+    around = vec4(mean_irradiance(world_from_depth(gl_FragCoord.xy / frame.size_time.xy, depth), normal), 1.0);
 }

@@ -1,6 +1,5 @@
 // An object's mesh in the picture.
 layout(location = 0) in vec3 position;
-layout(location = 2) in vec3 scale;
 layout(location = 3) in vec3 own;
 layout(location = 4) in vec3 others;
 layout(location = 5) in vec3 sizes;
@@ -9,13 +8,11 @@ uniform mat4 world_from_body;
 uniform mat4 clip_from_world;
 uniform mat3 normals_to_world;
 
-out vec3 v_scale;
 out vec3 v_own;
 out vec3 v_others;
 out vec3 v_sizes;
 
 void main() {
-    v_scale = scale;
     v_own = own;
     v_others = normals_to_world * others;
     v_sizes = sizes;
