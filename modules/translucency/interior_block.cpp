@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "physics/physics.h"
+#include "physics/tables.h"
 
 namespace tyndall::translucency {
 namespace {
@@ -14,6 +15,8 @@ namespace {
 constexpr float kFirstPath = 0.4f;
 /// Light that leaves so many mean free paths from where it entered has forgotten where that was (by 1 - 1/e).
 constexpr float kDeepPaths = 4.0f;
+/// Boundaries smoother than this mirror as Fresnel says.
+constexpr float kSmooth = 0.05f;
 
 glm::vec3 slanted(const InteriorKey& key, const glm::vec3& straight, float i) {
     if (key.model != Model::directional || key.scaling != Scaling::exact) return glm::vec3(1.0f);
@@ -21,7 +24,30 @@ glm::vec3 slanted(const InteriorKey& key, const glm::vec3& straight, float i) {
     return straight / glm::max(returned, 0.1f * straight + 1e-12f);
 }
 
+/// Of light that is even over the hemisphere.
+float diffuse_entering(float eta, float roughness) {
+    if (eta <= 1.0f) return 1.0f;
+    if (roughness < kSmooth) return physics::diffuse_transmission(1.0f / eta);
+    constexpr int kSteps = 64;
+    float sum = 0.0f;
+    for (int i = 0; i < kSteps; ++i) {
+        const float cosine = (float(i) + 0.5f) / float(kSteps);
+        const float mirrored = physics::fresnel_dielectric(cosine, eta) * mirrored_by_rough(cosine, eta, roughness);
+        sum += 2.0f * cosine * (1.0f - mirrored) / float(kSteps);
+    }
+    return sum;
+}
+
 }  // namespace
+
+float mirrored_by_rough(float cosine, float eta, float roughness) {
+    if (eta <= 1.0f || roughness < kSmooth) return 1.0f;
+    constexpr float kGrazing = 0.03f;  // the lobe's integral is not defined at 0
+    constexpr int kSteps = 24;
+    const float c = std::max(cosine, kGrazing), root = (eta - 1.0f) / (eta + 1.0f), f0 = root * root;
+    const glm::vec2 lobe = physics::ggx_directional_albedo(c, roughness, kSteps);
+    return (f0 * lobe.x + lobe.y) / (f0 + (1.0f - f0) * std::pow(1.0f - c, 5.0f));
+}
 
 glm::vec3 body_albedo(const Optics& optics, float body_radius) {
     const glm::vec3 albedo = optics.albedo();
@@ -52,9 +78,12 @@ InteriorBlock interior_block(const InteriorKey& key) {
         block.deep[i] = glm::vec4(body.deep()[i], 0.0f);
     }
     block.mean_leaving = glm::vec4(body.diffuse_leaving(), 0.0f);
-    const bool bends = optics.eta > 1.0f;
     block.base_entering = glm::vec4(physics::HalfSpace(endless, optics.eta).diffuse_leaving(),
-                                    bends ? physics::diffuse_transmission(1.0f / optics.eta) : 1.0f);
+                                    diffuse_entering(optics.eta, optics.roughness));
+    for (int i = 0; i < kRoughCosines; ++i) {
+        const float root = float(i) / float(kRoughCosines - 1);
+        block.rough[i].x = mirrored_by_rough(root * root, optics.eta, optics.roughness);
+    }
     const float path = mean_free_path(optics);
     block.boundary = glm::vec4(optics.eta, exact ? kFirstPath * path / optics.eta : 0.0f, exact ? 1.0f : 0.0f, 0.0f);
     const RadialKernel kernel(optics, key.model, key.scaling, key.piece_radius);

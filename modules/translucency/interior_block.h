@@ -5,6 +5,9 @@
 
 namespace tyndall::translucency {
 
+/// Of InteriorBlock::rough: squares of numbers evenly from 0 to 1, since it is steep where light grazes.
+inline constexpr int kRoughCosines = 32;
+
 /// The uniform block "Interior" of shaders/interior.glsl: keep both the same.
 struct InteriorBlock {
     glm::vec4 leaving[physics::HalfSpace::kCosines];  ///< share of what entered that leaves, by the cosine inside
@@ -19,6 +22,8 @@ struct InteriorBlock {
     glm::vec4 published;                              ///< what the published model is multiplied by
     glm::vec4 slanted[physics::HalfSpace::kCosines];  ///< directional: what flux is multiplied by for what the model
                                                       ///< returns too little of it, by the cosine inside
+    glm::vec4 rough[kRoughCosines];  ///< x what a rough boundary mirrors over what a smooth one does, by
+                                     ///< the cosine outside
 };
 
 /// All that an interior's GPU copy is made from.
@@ -40,6 +45,10 @@ struct InteriorKey {
 [[nodiscard]] float mean_free_path(const Optics& optics);
 /// Light that leaves so far from where it entered, in metres, has forgotten where that was (by 1 - 1/e).
 [[nodiscard]] float deep_distance(const Optics& optics);
+
+/// What a rough boundary mirrors of the light at a cosine to the normal outside, over what a smooth one does: the GGX
+/// lobe's integral over Schlick's reflectance. The rest enters, also after several meetings with the boundary.
+[[nodiscard]] float mirrored_by_rough(float cosine, float eta, float roughness);
 
 [[nodiscard]] InteriorBlock interior_block(const InteriorKey& key);
 

@@ -22,7 +22,7 @@ glm::vec3 Optics::albedo() const {
 
 Optics optics_of(const ScatteringInterior& interior) {
     const glm::vec3 reduced = interior.sigma_s_per_m * (glm::vec3(1.0f) - mean_cosine(interior.phase));
-    return {reduced, interior.sigma_a_per_m, interior.eta};
+    return {reduced, interior.sigma_a_per_m, interior.eta, interior.roughness};
 }
 
 glm::vec3 exitance(Model model, const Optics& optics, float r) {

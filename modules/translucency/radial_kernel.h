@@ -18,6 +18,7 @@ struct Optics {
     glm::vec3 sigma_s_reduced{0.0f};  ///< 1/m
     glm::vec3 sigma_a{0.0f};          ///< 1/m
     float eta = 1.3f;
+    float roughness = 0.0f;  ///< of the boundary
     bool operator==(const Optics&) const = default;
     [[nodiscard]] glm::vec3 albedo() const;
 };

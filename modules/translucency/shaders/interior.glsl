@@ -4,7 +4,7 @@
 #include "physics/units.glsl"
 #include "translucency/paint.glsl"
 
-const int kLeavingCosines = 16, kKernelGaussians = 16;
+const int kLeavingCosines = 16, kKernelGaussians = 16, kRoughCosines = 32;
 layout(std140) uniform Interior {
     vec4 leaving[kLeavingCosines];
     vec4 deep[kLeavingCosines];
@@ -17,6 +17,7 @@ layout(std140) uniform Interior {
     vec4 sigma_a;
     vec4 published;
     vec4 slanted[kLeavingCosines];
+    vec4 rough[kRoughCosines];
 } interior;
 
 float interior_eta() { return interior.boundary.x; }
@@ -24,8 +25,18 @@ float interior_eta() { return interior.boundary.x; }
 float mean_entering() { return interior.base_entering.w; }
 vec3 mean_leaving() { return interior.boundary.z > 0.0 ? interior.mean_leaving.rgb : vec3(1.0); }
 
-/// Share of irradiance (on a plane that faces the light) that enters a unit of area, at a cosine 0..1 to its normal.
-float entering(float cosine) { return cosine * (1.0 - fresnel_dielectric(cosine, interior_eta())); }
+/// Share of the light that arrives at a cosine 0..1 to the normal that enters.
+float entering_share(float cosine) {
+    float x = sqrt(cosine) * float(kRoughCosines - 1);
+    int i = min(int(x), kRoughCosines - 2);
+    float rough = mix(interior.rough[i].x, interior.rough[i + 1].x, x - float(i));
+    return 1.0 - fresnel_dielectric(cosine, interior_eta()) * rough;
+}
+/// Share of irradiance (on a plane that faces the light) that enters a unit of area.
+float entering(float cosine) { return cosine * entering_share(cosine); }
+
+/// Of diffuse light that has entered, what leaves a half-space of the same inside, whatever the kernel says.
+vec3 half_space_returns() { return interior.boundary.z > 0.0 ? interior.mean_leaving.rgb : interior.base_entering.rgb; }
 
 float cosine_inside(float cosine) {
     return sqrt(max(1.0 - (1.0 - cosine * cosine) / (interior_eta() * interior_eta()), 0.0));

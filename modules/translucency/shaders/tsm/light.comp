@@ -50,7 +50,7 @@ void main() {
         // Across the ray a texel is as large whatever the surface's slope: no cosine of the surface.
         float area = share * metres * metres * mix(1.0, -dot(to_light, light_axis()), in_perspective());
         irradiance *= light_transmittance(light_index, p, normal);
-        found.rgb = irradiance * (area * (1.0 - fresnel_dielectric(cosine, interior_eta()))) * leaving_share(cosine) * enters_to_wander(p);
+        found.rgb = irradiance * (area * entering_share(cosine)) * leaving_share(cosine) * enters_to_wander(p);
         // it begins to spread where it first collides
         float z = entry.w + (1.0 - cosine * cosine) * first_path() - view.window.w;
         found.a = luminance_rec709(found.rgb) * z;
