@@ -20,6 +20,7 @@ struct PointsSettings {
     float pixels = 4.0f;
     int32_t most = 131072;
     float opening = 0.5f;
+    bool interreflection = true;
 };
 
 inline void describe(StructBuilder<PointsSettings>& d) {
@@ -35,6 +36,8 @@ inline void describe(StructBuilder<PointsSettings>& d) {
             "Radius of a group over its distance, up to which it counts as one: less is slower and nearer to the full "
             "sum; 0 is the full sum.")
         .range(0.0, 2.0);
+    d.field("interreflection", &PointsSettings::interreflection,
+            "Light that leaves the body and meets it again, and what the body hides of light from all around.");
 }
 
 /// How the technique htsm weights its rays.

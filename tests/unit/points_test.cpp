@@ -106,11 +106,11 @@ TEST(SurfacePoints, NoneWithoutArea) {
     mesh.indices = {0, 1, 2};
     mesh.bounds = bounds_of(mesh.positions);
     EXPECT_TRUE(sample_surface(mesh, 8).empty());
-    EXPECT_TRUE(make_point_cloud(mesh, 8, 0.5f).points.empty());
+    EXPECT_TRUE(make_point_cloud(mesh, 8, 0.5f, true).points.empty());
 }
 
 TEST(PointCloud, EveryClusterGathersFromEveryPointOnce) {
-    const PointCloud cloud = make_point_cloud(make_primitive(Primitive::sphere, 48), 9, 0.5f);
+    const PointCloud cloud = make_point_cloud(make_primitive(Primitive::sphere, 48), 9, 0.5f, true);
     for (size_t c = 0; c + 1 < cloud.list_begins.size(); ++c) {
         std::vector<int> seen(cloud.points.size(), 0);
         for (size_t i = cloud.list_begins[c]; i < cloud.list_begins[c + 1]; ++i) {
@@ -126,7 +126,7 @@ TEST(PointCloud, EveryClusterGathersFromEveryPointOnce) {
 
 TEST(PointCloud, VerticesBlendPointsNearBy) {
     const Mesh mesh = make_primitive(Primitive::box, 3);
-    const PointCloud cloud = make_point_cloud(mesh, 10, 0.5f);
+    const PointCloud cloud = make_point_cloud(mesh, 10, 0.5f, true);
     EXPECT_GT(cloud.vertices.size(), 1000u) << "large triangles are cut";
     for (const PointCloud::Vertex& vertex : cloud.vertices) {
         int sum = 0;
@@ -178,7 +178,9 @@ class PointsTest : public DoubleLoopTest {
 
     void expect_within(const std::string& mesh_json, float scale, float opening, double mean, double block) {
         std::ofstream(folder_ / "scene.json") << scene_text(
-            mesh_json, scale, R"("points": {"pixels": 0, "opening": )" + std::to_string(opening) + "}", "points");
+            mesh_json, scale,
+            R"("points": {"pixels": 0, "interreflection": false, "opening": )" + std::to_string(opening) + "}",
+            "points");
         Engine engine(true);
         engine.load_scene(folder_ / "scene.json", {});
         RenderScene scene = engine.extract();

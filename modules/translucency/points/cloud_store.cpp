@@ -23,16 +23,19 @@ float area_of(const Mesh& mesh, const glm::vec3& shape) {
 
 }  // namespace
 
-const GpuCloud& CloudStore::cloud(const Surface& surface, int levels, float opening) {
+const GpuCloud& CloudStore::cloud(const Surface& surface, int levels, const PointsSettings& wanted) {
     const glm::vec3 shape = shape_of(surface.transform);
     Cloud& cloud = clouds_.at({shape_key(surface), levels});
-    if (cloud.gpu && cloud.opening == opening) return *cloud.gpu;
+    if (cloud.gpu && cloud.opening == wanted.opening && cloud.interreflection == wanted.interreflection)
+        return *cloud.gpu;
     const auto begun = std::chrono::steady_clock::now();
     const Mesh& mesh = surface.mesh->mesh;
-    const PointCloud made = shape == glm::vec3(1.0f) ? make_point_cloud(mesh, levels, opening)
-                                                     : make_point_cloud(stretched(mesh, shape), levels, opening);
+    const bool as_it_is = shape == glm::vec3(1.0f);
+    const PointCloud made =
+        make_point_cloud(as_it_is ? mesh : stretched(mesh, shape), levels, wanted.opening, wanted.interreflection);
     cloud.gpu = std::make_unique<GpuCloud>(made, shape);
-    cloud.opening = opening;
+    cloud.opening = wanted.opening;
+    cloud.interreflection = wanted.interreflection;
     log::info("translucency: {}: {} points, {} to gather from on average, {:.1f} MB, {:.2f} s", surface.mesh->name,
               made.points.size(),
               made.points.empty() ? 0 : made.lists.size() * PointCloud::kCluster / made.points.size(),

@@ -22,6 +22,17 @@ gpu::Texture table(std::vector<glm::vec4> values, std::string_view name) {
     made.upload(0, 0, values.data());
     return made;
 }
+/// A texture of kListColumns columns; a float has 24 bits exactly.
+gpu::Texture numbers(std::span<const uint32_t> list, std::string_view name) {
+    const gpu::TextureDesc desc{.format = gpu::Format::r32f,
+                                .width = kListColumns,
+                                .height = (int(list.size()) + kListColumns - 1) / kListColumns};
+    std::vector<float> values(list.begin(), list.end());
+    values.resize(size_t(desc.width) * size_t(desc.height), 0.0f);
+    gpu::Texture made(desc, name);
+    made.upload(0, 0, values.data());
+    return made;
+}
 size_t bytes_of(const gpu::Texture& texture) {
     return gpu::bytes_per_texel(texture.desc().format) * size_t(texture.desc().width) * size_t(texture.desc().height);
 }
@@ -39,18 +50,15 @@ GpuCloud::GpuCloud(const PointCloud& cloud, const glm::vec3& the_shape)
       index_count(int(cloud.indices.size())) {
     if (cloud.points.empty()) return;
     std::vector<glm::vec4> surface;
-    for (const SurfacePoint& point : cloud.points) {
-        surface.emplace_back(point.position, point.area);
-        surface.emplace_back(point.normal, 0.0f);
+    for (size_t i = 0; i < cloud.points.size(); ++i) {
+        surface.emplace_back(cloud.points[i].position, cloud.points[i].area);
+        surface.emplace_back(cloud.points[i].normal, cloud.sights.empty() ? 0.0f : float(cloud.sight_begins[i]));
     }
+    surface.emplace_back(0.0f);
+    surface.emplace_back(glm::vec3(0.0f), float(cloud.sights.size()));
     pieces = table(std::move(surface), "translucency.pieces");
-    const gpu::TextureDesc desc{.format = gpu::Format::r32f,
-                                .width = kListColumns,
-                                .height = (int(cloud.lists.size()) + kListColumns - 1) / kListColumns};
-    std::vector<float> numbers(cloud.lists.begin(), cloud.lists.end());
-    numbers.resize(size_t(desc.width) * size_t(desc.height), 0.0f);
-    lists = gpu::Texture(desc, "translucency.lists");
-    lists.upload(0, 0, numbers.data());
+    lists = numbers(cloud.lists, "translucency.lists");
+    if (!cloud.sights.empty()) sights = numbers(cloud.sights, "translucency.sights");
     list_begins = gpu::Buffer(std::span<const uint32_t>(cloud.list_begins), "translucency.list_begins");
     std::vector<glm::vec3> places;
     std::vector<glm::vec4> points_and_weights;
@@ -66,8 +74,8 @@ GpuCloud::GpuCloud(const PointCloud& cloud, const glm::vec3& the_shape)
 }
 
 size_t GpuCloud::bytes() const {
-    return bytes_of(lists) + bytes_of(pieces) + bytes_of(blends) + list_begins.size() + positions.size() +
-           indices.size();
+    return bytes_of(lists) + bytes_of(sights) + bytes_of(pieces) + bytes_of(blends) + list_begins.size() +
+           positions.size() + indices.size();
 }
 
 GpuObject::GpuObject(const GpuCloud& cloud, bool directional)
@@ -76,7 +84,9 @@ GpuObject::GpuObject(const GpuCloud& cloud, bool directional)
       node_directions(directional ? table_desc(cloud.nodes) : table_desc(1), "translucency.node_directions"),
       point_scales(table_desc(cloud.points), "translucency.point_scales"),
       point_light(table_desc(2 * size_t(cloud.points)), "translucency.point_light"),
-      vertex_light(table_desc(2 * size_t(cloud.vertices)), "translucency.vertex_light") {
+      vertex_light(table_desc(2 * size_t(cloud.vertices)), "translucency.vertex_light"),
+      open_light(table_desc(cloud.points), "translucency.open_light") {
+    open_light.clear(0, glm::vec4(0.0f));
     node_fluxes.clear(0, glm::vec4(0.0f));
 }
 

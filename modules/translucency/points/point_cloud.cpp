@@ -71,7 +71,7 @@ void make_lists(PointCloud& cloud, float opening) {
 
 }  // namespace
 
-PointCloud make_point_cloud(const Mesh& mesh, int levels, float opening) {
+PointCloud make_point_cloud(const Mesh& mesh, int levels, float opening, bool interreflection) {
     PointCloud cloud;
     cloud.levels = levels;
     cloud.points = sample_surface(mesh, levels);
@@ -81,6 +81,7 @@ PointCloud make_point_cloud(const Mesh& mesh, int levels, float opening) {
     cloud.spacing = float(std::sqrt(area / double(cloud.points.size())));
     cloud.radius = body_radius(mesh, glm::mat3(1.0f));
     make_lists(cloud, opening);
+    if (interreflection) look_around(mesh, cloud);
     blend_points(mesh, cloud);
     return cloud;
 }

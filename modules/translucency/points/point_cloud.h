@@ -21,6 +21,7 @@ namespace tyndall::translucency {
 struct PointCloud {
     static constexpr uint32_t kCluster = 64;
     static constexpr uint32_t kNeighbours = 4;
+    static constexpr int kSightRays = 16;
 
     /// A vertex of the mesh that is drawn: the mesh's own, cut where its triangles are large for the points.
     struct Vertex {
@@ -31,8 +32,10 @@ struct PointCloud {
 
     int levels = 0;
     std::vector<SurfacePoint> points;
-    std::vector<uint32_t> lists;        ///< nodes' numbers of all clusters, one after the other
-    std::vector<uint32_t> list_begins;  ///< clusters + 1
+    std::vector<uint32_t> lists;         ///< nodes' numbers of all clusters, one after the other
+    std::vector<uint32_t> list_begins;   ///< clusters + 1
+    std::vector<uint32_t> sights;        ///< of all points one after the other: what their rays meet (look_around)
+    std::vector<uint32_t> sight_begins;  ///< points + 1
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;
     float spacing = 0.0f;  ///< side of a square of a piece's area
@@ -46,7 +49,12 @@ struct PointCloud {
 };
 
 /// Empty when the mesh has no area. `levels` 6..16; `opening`: radius over distance up to which a node counts as one.
-[[nodiscard]] PointCloud make_point_cloud(const Mesh& mesh, int levels, float opening);
+/// Without `interreflection` the points have no sights.
+[[nodiscard]] PointCloud make_point_cloud(const Mesh& mesh, int levels, float opening, bool interreflection);
+
+/// From each point of a cloud kSightRays rays, spread as the cosine to the normal is: fills its sights with the points
+/// of the mesh's own surface that they meet; what is missing of kSightRays sees what is around.
+void look_around(const Mesh& mesh, PointCloud& cloud);
 
 /// Fills the vertices and indices of a cloud that has its points.
 void blend_points(const Mesh& mesh, PointCloud& cloud);

@@ -12,6 +12,7 @@
 #include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/frustum.h"
+#include "render/light_state.h"
 #include "render/seams.h"
 
 namespace tyndall::translucency {
@@ -19,6 +20,8 @@ namespace {
 
 const std::vector<std::string> kBegin{"BEGIN"}, kNone, kDirections{"DIRECTIONS"};
 constexpr int kBalanceRounds = 6;
+/// So often light that leaves the body meets it again.
+constexpr uint32_t kSightRounds = 3;
 constexpr uint32_t kGroup = PointCloud::kCluster;
 
 const gpu::Program& compute(PassContext& context, std::string_view shader, std::vector<std::string> defines = {}) {
@@ -68,6 +71,8 @@ void bind_points(const gpu::Program& program, const Surface& surface, const GpuC
     bind("point_light", object.point_light);
     bind("pieces", cloud.pieces);
     bind("lists", cloud.lists);
+    bind("sights", cloud.sights);
+    bind("open_light", object.open_light);
     program.block("ListBegins", cloud.list_begins);
     object.interior.bind(program);
     program.set("point_count", cloud.points);
@@ -133,7 +138,7 @@ void PointsPass::render(PassContext& context, const Surface& surface, float shar
     const PointsSettings& wanted = settings_.points;
     const float points = std::min(points_for(context, surface), std::ldexp(1.0f, wanted.levels));
     object.levels = levels_for(share * points, object.levels, wanted.levels);
-    const GpuCloud& cloud = clouds_.cloud(surface, object.levels, wanted.opening);
+    const GpuCloud& cloud = clouds_.cloud(surface, object.levels, wanted);
     if (cloud.points == 0) return;
     prepare(object, surface, cloud);
     if (!object.balanced) balance(context, surface, cloud, *object.gpu);
@@ -172,12 +177,13 @@ void PointsPass::balance(PassContext& context, const Surface& surface, const Gpu
     }
 }
 
-/// What arrives at the points, from the lights and from all around.
+/// What arrives at the points, from the lights, from other parts of the body and from all around.
 void PointsPass::light(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
     Frame& frame = context.frame();
-    const gpu::Program& place = compute(context, "place", directional() ? kDirections : kNone);
-    frame.seams.bind(Seam::indirect_light, place, context);
-    bind_points(place, surface, cloud, object);
+    const std::vector<std::string>& defines = directional() ? kDirections : kNone;
+    const gpu::Program& begin = compute(context, "begin", defines);
+    frame.seams.bind(Seam::indirect_light, begin, context);
+    bind_points(begin, surface, cloud, object);
     dispatch(cloud.points);
     LightPrograms& programs = directional() ? directional_light_programs_ : light_programs_;
     programs.begin();
@@ -189,6 +195,19 @@ void PointsPass::light(PassContext& context, const Surface& surface, const GpuCl
         program.set("light_index", unsigned(i));
         dispatch(cloud.points);
     }
+    const bool sees = cloud.sights.name() != 0;
+    const uint32_t rounds = sees ? kSightRounds : 0;
+    for (uint32_t round = 0; round < rounds; ++round) {
+        const gpu::Program& see = compute(context, "see");
+        bind_points(see, surface, cloud, object);
+        see.set("round", round);
+        dispatch(cloud.points);
+    }
+    if (!sees && !has_light_all_around(frame.scene)) return;
+    const gpu::Program& around = compute(context, "around", defines);
+    bind_points(around, surface, cloud, object);
+    around.set("round", rounds);
+    dispatch(cloud.points);
 }
 
 void PointsPass::sum(PassContext& context, const Surface& surface, const GpuCloud& cloud, const GpuObject& object) {
