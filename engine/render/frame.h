@@ -46,7 +46,7 @@ struct GpuLight {
     glm::vec4 intensity_profile;  ///< rgb colour times cd or lux, w SpotProfile as float
     glm::vec4 gobo;  ///< x layer of the gobo array or -1, y z half size in metres (directional) or tan(outer) (spot), w
                      ///< source size
-    glm::vec4 shadow;  ///< x number of views, 0 = not shadowed
+    glm::vec4 shadow;  ///< x number of views, 0 = not shadowed; y 1 = it makes no highlights
     GpuShadowView views[6];
     glm::vec4 padding[5];  ///< to a multiple of 256 bytes, at which uniform blocks may begin
 };

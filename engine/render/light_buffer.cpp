@@ -24,6 +24,7 @@ GpuLight gpu_light(const Light& light, int gobo) {
     gpu.intensity_profile = glm::vec4(light.intensity, static_cast<float>(light.profile));
     const int layer = light.kind == LightKind::point ? -1 : gobo;
     gpu.gobo = glm::vec4(static_cast<float>(layer), half_size, light.source_radius_m);
+    gpu.shadow.y = light.of_environment ? 1.0f : 0.0f;
     return gpu;
 }
 

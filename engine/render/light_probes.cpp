@@ -8,24 +8,13 @@
 #include "render/frame.h"
 #include "render/gpu_scene.h"
 #include "render/seams.h"
+#include "scene/environment.h"
 
 namespace tyndall {
 namespace {
 
-constexpr int kMapSize = 128;      ///< texels a side of the sharpest map
-constexpr int kMapMips = 5;        ///< roughness 0, 1/4 .. 1; the last is 8 texels a side
-constexpr int kSourceWidth = 256;  ///< images are averaged down to this before they are filtered
-
-/// Three floats a pixel, at most kSourceWidth wide.
-Image source_of(const TextureAsset& asset) {
-    Image image = with_channels(to_float(asset.image), 3);
-    if (image.width <= kSourceWidth) return image;
-    return resize(image, kSourceWidth, kSourceWidth / 2);
-}
-
-std::span<const glm::vec3> pixels_of(const Image& image) {
-    return {reinterpret_cast<const glm::vec3*>(image.floats().data()), image.value_count() / 3};
-}
+constexpr int kMapSize = 128;  ///< texels a side of the sharpest map
+constexpr int kMapMips = 5;    ///< roughness 0, 1/4 .. 1; the last is 8 texels a side
 
 physics::Sh9 constant_harmonics() {
     physics::Sh9 harmonics{};
@@ -71,19 +60,22 @@ void LightProbes::add(const LightProbe& probe) {
     if (!probe.image || probe.image->image.empty()) return;
     const Filtered& light = filtered(*probe.image);
     const glm::vec4 box = probe.extent_m ? glm::vec4(*probe.extent_m, std::max(probe.blend_m, 1e-4f)) : glm::vec4(0.0f);
+    const bool by_lights = !probe.extent_m && probe.lights.count > 0;
     records_.push_back({glm::inverse(probe.transform), box, glm::vec4(glm::vec3(probe.intensity), float(light.layer)),
-                        light.harmonics});
+                        by_lights ? physics::Sh9{} : light.harmonics});
 }
 
 void LightProbes::add(const Sky& sky) {
     if (sky.radiance == glm::vec3(0.0f)) return;
+    const bool by_lights = sky.lights.count > 0;
     if (!sky.image || sky.image->image.empty()) {
-        records_.push_back({glm::mat4(1.0f), glm::vec4(0.0f), glm::vec4(sky.radiance, -1.0f), constant_harmonics()});
+        records_.push_back({glm::mat4(1.0f), glm::vec4(0.0f), glm::vec4(sky.radiance, -1.0f),
+                            by_lights ? physics::Sh9{} : constant_harmonics()});
         return;
     }
     const Filtered& light = filtered(*sky.image);
     records_.push_back({glm::mat4(glm::transpose(sky.rotation)), glm::vec4(0.0f),
-                        glm::vec4(sky.radiance, float(light.layer)), light.harmonics});
+                        glm::vec4(sky.radiance, float(light.layer)), by_lights ? physics::Sh9{} : light.harmonics});
 }
 
 const LightProbes::Filtered& LightProbes::filtered(const TextureAsset& asset) {
@@ -92,7 +84,7 @@ const LightProbes::Filtered& LightProbes::filtered(const TextureAsset& asset) {
         found->second.used = true;
         return found->second;
     }
-    const Image source = source_of(asset);
+    const Image source = small_environment(asset);
     Filtered light;
     light.layer = free_layer();
     light.harmonics = physics::project_equirect(pixels_of(source), source.width, source.height);

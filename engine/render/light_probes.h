@@ -1,8 +1,8 @@
 #pragma once
 /// Light from all around: the scene's probes and its sky, as the seams' providers "light_probes" and "sky".
 ///
-/// Irradiance comes from nine spherical harmonics; the specular lobe from maps filtered for rising roughness, on
-/// octahedra: one layer an image, one mip a roughness.
+/// Irradiance comes from nine spherical harmonics, or from the scene's lights where it is turned into lights; the
+/// specular lobe from maps filtered for rising roughness, on octahedra: one layer an image, one mip a roughness.
 
 #include <cstdint>
 #include <unordered_map>

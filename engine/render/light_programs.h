@@ -14,7 +14,8 @@ namespace tyndall {
 ///     }); gpu::draw_fullscreen();
 class LightPrograms {
  public:
-    /// `base` is completed by the defines ONE_LIGHT, LIGHT_KIND, LIGHT_GOBO and SHADOW_VIEWS.
+    /// `base` is completed by the defines ONE_LIGHT, LIGHT_KIND, LIGHT_GOBO, LIGHT_HIGHLIGHT and
+    /// SHADOW_VIEWS.
     explicit LightPrograms(gpu::ProgramDesc base);
 
     /// Before a pass's first light: nothing is in use.
@@ -39,7 +40,7 @@ class LightPrograms {
     [[nodiscard]] const gpu::ProgramDesc& variant(const Frame& frame, size_t light);
 
     gpu::ProgramDesc base_;
-    std::array<gpu::ProgramDesc, kKinds * 2 * kViews> variants_;
+    std::array<gpu::ProgramDesc, kKinds * 2 * 2 * kViews> variants_;
     const gpu::Program* current_ = nullptr;
 };
 

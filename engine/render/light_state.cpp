@@ -1,11 +1,13 @@
 #include "render/light_state.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "render/frame.h"
 #include "render/light_buffer.h"
 #include "render/seams.h"
 #include "render/shadow_maps.h"
+#include "scene/environment.h"
 
 namespace tyndall {
 
@@ -20,7 +22,14 @@ void append_light_state(std::string& state, const Frame& frame, size_t light, ui
 }
 
 bool has_light_all_around(const RenderScene& scene) {
-    return !scene.probes.empty() || scene.sky.image || scene.sky.radiance != glm::vec3(0.0f);
+    const auto boxed = [](const LightProbe& probe) { return probe.extent_m.has_value(); };
+    if (std::ranges::any_of(scene.probes, boxed)) return true;
+    const Environment environment = environment_of(scene);
+    return environment.radiance != glm::vec3(0.0f) && environment.lights.count <= 0;
+}
+
+bool has_surroundings(const RenderScene& scene) {
+    return !scene.probes.empty() || scene.sky.radiance != glm::vec3(0.0f);
 }
 
 void append_surroundings_state(std::string& state, const Frame& frame, uint64_t frame_number) {
@@ -31,12 +40,14 @@ void append_surroundings_state(std::string& state, const Frame& frame, uint64_t 
     append_image(scene.sky.image);
     append_state(state, scene.sky.radiance);
     append_state(state, scene.sky.rotation);
+    append_state(state, scene.sky.lights.count);
     for (const LightProbe& probe : scene.probes) {
         append_image(probe.image);
         append_state(state, probe.intensity);
         append_state(state, probe.transform);
         append_state(state, probe.extent_m.value_or(glm::vec3(0.0f)));
         append_state(state, probe.blend_m);
+        append_state(state, probe.lights.count);
     }
     if (frame.seams.providers(Seam::indirect_light).size() > 1) append_state(state, frame_number);
 }

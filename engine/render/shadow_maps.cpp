@@ -91,7 +91,7 @@ void ShadowMaps::describe(size_t light, GpuLight& gpu_light) const {
     size_t count = 0;
     for (const ShadowView& view : plan_.views)
         if (view.light == light) gpu_light.views[count++] = gpu_view(view, plan_.page_size);
-    gpu_light.shadow = glm::vec4(static_cast<float>(count), 0.0f, 0.0f, 0.0f);
+    gpu_light.shadow.x = static_cast<float>(count);
 }
 
 void ShadowMaps::bind(const gpu::Program& program) const {

@@ -106,6 +106,13 @@ struct CascadedShadowComponent {
 };
 void describe(StructBuilder<CascadedShadowComponent>& d);
 
+/// Directional lights in place of light from all around.
+struct EnvironmentLightsComponent {
+    int32_t count = 0;
+    CascadedShadowComponent shadow;
+};
+void describe(StructBuilder<EnvironmentLightsComponent>& d);
+
 struct DirectionalLightComponent {
     static constexpr std::string_view kName = "directional_light";
     float illuminance_lux = 50000.0f;
@@ -147,6 +154,7 @@ struct LightProbeComponent {
     float intensity = 1.0f;
     glm::vec3 extent_m{0.0f};  ///< half extents; 0 = the whole scene
     float blend_m = 1.0f;
+    EnvironmentLightsComponent lights;
 };
 void describe(StructBuilder<LightProbeComponent>& d);
 
@@ -155,6 +163,7 @@ struct SkyComponent {
     std::string probe;
     glm::vec3 radiance_cd_m2{0.0f};
     float intensity = 1.0f;
+    EnvironmentLightsComponent lights;
 };
 void describe(StructBuilder<SkyComponent>& d);
 

@@ -6,7 +6,9 @@ namespace tyndall {
 namespace {
 
 constexpr double kMostIntensity = 1e9;
+constexpr int kMostEnvironmentLights = 128;
 constexpr const char* kColour = "Colour; multiplies the intensity, so white leaves it as it is.";
+constexpr const char* kLights = "Its diffuse light as directional lights; without this object by spherical harmonics.";
 constexpr const char* kRange = "Where a smooth window ends the light; 0 = it goes on for ever, as real light does.";
 
 }  // namespace
@@ -24,6 +26,14 @@ void describe(StructBuilder<CascadedShadowComponent>& d) {
     d.field("size", &S::size, "Texels on a side of each cascade.").range(16, 8192);
     d.field("cascades", &S::cascades, "Shadow maps, each for a farther part of the view.").range(1, 4);
     d.field("distance_m", &S::distance_m, "The last one ends here, from the camera.").unit("m").range(0.1, 1e5);
+}
+
+void describe(StructBuilder<EnvironmentLightsComponent>& d) {
+    using L = EnvironmentLightsComponent;
+    d.doc("Directional lights in place of light from all around.");
+    d.field("count", &L::count, "How many; bright places get more of them. 0 = by spherical harmonics.")
+        .range(0, kMostEnvironmentLights);
+    d.field("shadow", &L::shadow, "The shadows of each; none without this object.");
 }
 
 void describe(StructBuilder<DirectionalLightComponent>& d) {
@@ -82,6 +92,7 @@ void describe(StructBuilder<LightProbeComponent>& d) {
     d.field("blend_m", &L::blend_m, "Over this distance inside the box it gives way to the next probe.")
         .unit("m")
         .range(0, 1e6);
+    d.field("lights", &L::lights, std::string(kLights) + " Of a probe without a box alone.");
 }
 
 void describe(StructBuilder<SkyComponent>& d) {
@@ -92,6 +103,7 @@ void describe(StructBuilder<SkyComponent>& d) {
         .unit("cd/m2")
         .range(0, kMostIntensity);
     d.field("intensity", &S::intensity, "Multiplies either.").range(0, kMostIntensity);
+    d.field("lights", &S::lights, kLights);
 }
 
 void describe(StructBuilder<CameraComponent>& d) {

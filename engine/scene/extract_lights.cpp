@@ -23,15 +23,21 @@ ShadowRequest shadow_request(const ShadowComponent& shadow) {
     return {.enabled = shadow.enabled, .size = shadow.size};
 }
 
+ShadowRequest shadow_request(const CascadedShadowComponent& shadow) {
+    return {
+        .enabled = shadow.enabled, .size = shadow.size, .cascades = shadow.cascades, .distance_m = shadow.distance_m};
+}
+
+LightsRequest lights_request(const EnvironmentLightsComponent& lights) {
+    return {.count = lights.count, .shadow = shadow_request(lights.shadow)};
+}
+
 void extract_directional(const ExtractContext& context, const DirectionalLightComponent& from, RenderScene& scene) {
     Light light = light_at(context, LightKind::directional, from.colour, from.illuminance_lux);
     light.angular_radius = 0.5f * glm::radians(from.angular_diameter_deg);
     light.gobo = gobo_texture(context, from.gobo);
     light.gobo_size_m = from.gobo_size_m;
-    light.shadow = {.enabled = from.shadow.enabled,
-                    .size = from.shadow.size,
-                    .cascades = from.shadow.cascades,
-                    .distance_m = from.shadow.distance_m};
+    light.shadow = shadow_request(from.shadow);
     scene.lights.push_back(std::move(light));
 }
 
@@ -63,6 +69,7 @@ void extract_probe(const ExtractContext& context, const LightProbeComponent& fro
     probe.transform = rigid_transform(context.transform);
     if (from.extent_m != glm::vec3(0.0f)) probe.extent_m = from.extent_m;
     probe.blend_m = from.blend_m;
+    probe.lights = lights_request(from.lights);
     probe.entity = context.entity;
     scene.probes.push_back(std::move(probe));
 }
@@ -71,6 +78,7 @@ void extract_sky(const ExtractContext& context, const SkyComponent& from, Render
     if (!from.probe.empty()) scene.sky.image = context.assets.texture(from.probe, TextureUse::probe);
     scene.sky.radiance = scene.sky.image ? glm::vec3(from.intensity) : from.radiance_cd_m2 * from.intensity;
     scene.sky.rotation = glm::mat3(rigid_transform(context.transform));
+    scene.sky.lights = lights_request(from.lights);
 }
 
 void extract_camera(const ExtractContext& context, const CameraComponent& from, RenderScene& scene) {

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "ecs/transform.h"
 #include "scene/components.h"
+#include "scene/environment.h"
 
 namespace tyndall {
 namespace {
@@ -59,6 +60,7 @@ struct Extractors::Implementation {
     std::vector<Entry> entries;
     std::map<Place, std::string> failures;  ///< the last message of each, so that it is reported once
     std::vector<ExtractionProblem> fresh;
+    LightsOfEnvironment lights_of_environment;
 
     void report(const Place& place, const std::string& message) {
         std::string& last = failures[place];
@@ -147,6 +149,7 @@ std::vector<ExtractionProblem> Extractors::extract(World& world, AssetStore& ass
     self_->fresh.clear();
     self_->run_all(world, assets, scene);
     sort_probes(scene.probes);
+    self_->lights_of_environment.add_to(scene);
     self_->choose_camera(world, camera, scene);
     return std::move(self_->fresh);
 }

@@ -38,7 +38,8 @@ class Extractors {
     void add(std::string component, Extractor extractor);
     void remove(std::string_view component);
 
-    /// Rebuilds `scene` from the world: updates world matrices, runs the extractors, sorts probes, picks the camera
+    /// Rebuilds `scene` from the world: updates world matrices, runs the extractors, sorts probes, turns the
+    /// environment into lights where that is asked for, picks the camera
     /// (`camera` names its entity; empty = first). Returns this frame's failed extractions that were not reported
     /// before.
     std::vector<ExtractionProblem> extract(World& world, AssetStore& assets, std::string_view camera,

@@ -179,6 +179,9 @@ struct Light {
         gobo;                     ///< transmittance; spot: over the outer cone's square; directional: over gobo_size_m
     glm::vec2 gobo_size_m{1.0f};  ///< directional: rectangle centred on the light's origin in its local XY plane
     ShadowRequest shadow;
+    /// Stands for a part of the environment (scene/environment.h), whose image has its mirror image: it makes no
+    /// highlights. Solvers that light by the image itself leave it out.
+    bool of_environment = false;
     Entity entity;
 };
 
@@ -206,6 +209,12 @@ struct Medium {
     Entity entity;
 };
 
+/// How light from all around wants to be turned into directional lights; 0 = not.
+struct LightsRequest {
+    int count = 0;  ///< at most so many
+    ShadowRequest shadow;
+};
+
 /// Light from all around, as an equirectangular image: direction d, u = 0.5 + atan2(d.x, -d.z) / 2 pi, v = acos(d.y) /
 /// pi from the top.
 struct LightProbe {
@@ -215,6 +224,7 @@ struct LightProbe {
     std::optional<glm::vec3>
         extent_m;          ///< half extents of the box it lights and reflects (parallax); none = the whole scene
     float blend_m = 1.0f;  ///< over this distance inside the box it fades to the next probe
+    LightsRequest lights;  ///< without a box: its diffuse light comes from RenderScene::lights
     Entity entity;
 };
 
@@ -223,6 +233,7 @@ struct Sky {
     std::shared_ptr<const TextureAsset> image;  ///< equirectangular as LightProbe; null = `radiance` alone
     glm::vec3 radiance{0.0f};                   ///< cd/m2; multiplies the image when there is one
     glm::mat3 rotation{1.0f};
+    LightsRequest lights;  ///< its diffuse light comes from RenderScene::lights
 };
 
 struct Camera {

@@ -27,6 +27,19 @@ void check_camera(const JsonDocument& document, Problems& problems) {
                  "the name of an entity with a camera", nearest_name(camera->value.string, names));
 }
 
+/// Lights from far away shine everywhere: a probe that lights a box alone cannot be turned into them.
+void check_probe_lights(const JsonMember& component, Problems& problems) {
+    if (component.key != "light_probe") return;
+    const JsonMember* extent = component.value.find("extent_m");
+    const JsonMember* lights = component.value.find("lights");
+    const JsonMember* count = lights ? lights->value.find("count") : nullptr;
+    const auto is_some = [](const JsonValue& value) { return value.is(Kind::number) && value.number != 0.0; };
+    if (!extent || !count || !is_some(count->value) || std::ranges::none_of(extent->value.items, is_some)) return;
+    const Problems::Step step(problems, "lights");
+    problems.add(lights->key_begin, "a light probe with a box gives no lights",
+                 "a probe without extent_m, or no lights");
+}
+
 class Validation {
  public:
     Validation(const JsonDocument& document, const ComponentRegistry& registry, const Settings& settings,
@@ -78,6 +91,7 @@ class Validation {
         } else if (id != ComponentId::none) {
             StructObject scratch(registry_.type(id));
             read_component(registry_.type(id), scratch.get(), member.value, problems_);
+            check_probe_lights(member, problems_);
         } else if (missing_.empty()) {
             std::vector<std::string> names = registry_.names();
             std::erase_if(names, [](const std::string& name) { return !is_authored(name); });

@@ -7,34 +7,16 @@
 #include <glm/matrix.hpp>
 
 #include "physics/probe.h"
+#include "scene/environment.h"
 
 namespace tyndall::participating_media {
 namespace {
 
-constexpr int kSourceWidth = 256;  ///< images are averaged down to this
-constexpr int kAngles = 4096;      ///< at which phase functions are looked at
-
-/// What the light comes from.
-struct Source {
-    std::shared_ptr<const TextureAsset> image;
-    glm::vec3 scale{0.0f};
-    glm::mat3 world_from_image{1.0f};
-};
-
-Source source_of(const RenderScene& scene) {
-    Source source{scene.sky.image, scene.sky.radiance, scene.sky.rotation};
-    for (const LightProbe& probe : scene.probes)
-        if (!probe.extent_m && probe.image && !probe.image->image.empty())
-            source = {probe.image, glm::vec3(probe.intensity), glm::mat3(probe.transform)};
-    if (source.image && source.image->image.empty()) source.image.reset();
-    return source;
-}
+constexpr int kAngles = 4096;  ///< at which phase functions are looked at
 
 physics::Sh9 project(const TextureAsset& asset) {
-    Image image = with_channels(to_float(asset.image), 3);
-    if (image.width > kSourceWidth) image = resize(image, kSourceWidth, kSourceWidth / 2);
-    const std::span pixels(reinterpret_cast<const glm::vec3*>(image.floats().data()), image.value_count() / 3);
-    return physics::project_equirect(pixels, image.width, image.height);
+    const Image image = small_environment(asset);
+    return physics::project_equirect(pixels_of(image), image.width, image.height);
 }
 
 float phase_at(const PhaseFunction& phase, float angle) {
@@ -61,11 +43,12 @@ glm::vec3 bands_of(const PhaseFunction& phase) {
 }  // namespace
 
 bool has_environment(const RenderScene& scene) {
-    return source_of(scene).scale != glm::vec3(0.0f);
+    const Environment environment = environment_of(scene);
+    return environment.radiance != glm::vec3(0.0f) && environment.lights.count <= 0;
 }
 
 void EnvironmentLight::update(const RenderScene& scene, const std::vector<Medium>& media) {
-    const Source source = source_of(scene);
+    const Environment source = environment_of(scene);
     if (source.image && source.image->id != image_) {
         image_ = source.image->id;
         image_harmonics_ = project(*source.image);
@@ -75,7 +58,7 @@ void EnvironmentLight::update(const RenderScene& scene, const std::vector<Medium
         harmonics_ = {};
         harmonics_.c[0] = glm::vec4(glm::vec3(1.0f / 0.282094792f), 0.0f);  // radiance 1 everywhere
     }
-    for (glm::vec4& c : harmonics_.c) c *= glm::vec4(source.scale, 0.0f);
+    for (glm::vec4& c : harmonics_.c) c *= glm::vec4(source.radiance, 0.0f);
     image_from_world_ = glm::transpose(source.world_from_image);
     bands_.resize(media.size());
     phases_.resize(media.size());

@@ -10,7 +10,7 @@
 
 namespace tyndall::participating_media {
 
-/// The scene has such light.
+/// The scene has such light, and does not turn it into lights.
 [[nodiscard]] bool has_environment(const RenderScene& scene);
 
 /// Its spherical harmonics up to the second band, and how media's phase functions turn them into scattered light. Boxed

@@ -67,6 +67,10 @@ def scene_files(t):
     wrong("out of range", scene({"material": {"roughness": 2}}), "/entities/1/material/roughness", "0 to 1")
     wrong("unknown preset", scene({"material": {"preset": "gould"}}), "gould", "did you mean 'gold'")
     wrong("unknown parent", scene({"parent": "Camra"}), "Camra", "did you mean 'Camera'")
+    evening = "assets:scenes/textures/evening.hdr"
+    for count, expected in ((-1, "0 to 128"), (1000, "0 to 128"), (2.5, "whole number"), ("many", "whole number")):
+        wrong(f"{count} lights", scene({"sky": {"probe": evening, "lights": {"count": count}}}), "/entities/1/sky/lights/count", expected)
+    wrong("lights of a box", scene({"light_probe": {"file": evening, "extent_m": [1, 1, 1], "lights": {"count": 4}}}), "/entities/1/light_probe/lights", "extent_m")
     wrong("unknown setting", scene(render={"imege": {}}), "/render/imege", "did you mean 'image'")
 
 

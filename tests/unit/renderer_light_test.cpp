@@ -4,7 +4,9 @@
 
 #include "physics/physics.h"
 #include "physics/tables.h"
+#include "render/light_state.h"
 #include "renderer_fixture.h"
+#include "scene/environment.h"
 
 namespace tyndall {
 namespace {
@@ -208,6 +210,30 @@ TEST_P(RendererLightTest, ProbesLightWhatLiesInTheirBoxes) {
     scene.probes.pop_back();
     scene.sky.radiance = glm::vec3(7.0f);
     EXPECT_NEAR(moved(5.0f), 7.0f, 0.05f);  // without a probe for the whole scene, the sky
+}
+
+TEST_P(RendererLightTest, LightsStandForTheEnvironment) {
+    RenderScene scene = floor_of(lambertian(1.0f));
+    scene.sky.radiance = glm::vec3(1.0f);
+    scene.sky.image = test::probe_image(128, [](glm::vec3 d) { return glm::vec3(d.y > 0 ? 2.0f : 0.0f); });
+    scene.sky.lights.count = 64;
+    const RenderScene unlit = scene;
+    EXPECT_FALSE(has_light_all_around(scene));
+    EXPECT_TRUE(has_surroundings(scene));
+    EXPECT_NEAR(seen(scene), 0.0f, 1e-6f) << "its diffuse light comes from the lights alone";
+    LightsOfEnvironment lights;
+    lights.add_to(scene);
+    EXPECT_NEAR(seen(scene), 2.0f, 0.02f);
+    // what mirrors shows the image, and no light as a highlight
+    for (const float roughness : {0.0f, 0.5f}) {
+        scene.surfaces[0].material = material(glm::vec3(1.0f), 1.0f, roughness);
+        const float with_lights = seen(scene);
+        RenderScene without = unlit;
+        without.surfaces[0].material = scene.surfaces[0].material;
+        EXPECT_EQ(with_lights, seen(without)) << roughness;
+        without.sky.lights.count = 0;
+        EXPECT_NEAR(with_lights, seen(without), 1e-3f) << roughness;
+    }
 }
 
 TEST_P(RendererLightTest, MirrorsShowTheProbe) {

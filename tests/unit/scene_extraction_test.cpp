@@ -7,6 +7,7 @@
 #include "core/paths.h"
 #include "ecs/transform.h"
 #include "scene/components.h"
+#include "scene/environment.h"
 #include "scene/extraction.h"
 #include "scene/scene_file.h"
 #include "temporary_folder.h"
@@ -274,6 +275,56 @@ TEST_F(Extraction, ProbesComeBoxedFirstAndSmallestFirst) {
     std::vector<float> order;
     for (const LightProbe& probe : scene_.probes) order.push_back(probe.intensity);
     EXPECT_EQ(order, (std::vector<float>{3.0f, 2.0f, 1.0f}));
+}
+
+TEST_F(Extraction, TheEnvironmentBecomesLights) {
+    load(
+        R"({ "name": "Sky", "transform": { "rotation": [0, 0.70710678, 0, 0.70710678] }, "sky": { "probe": "assets:scenes/textures/evening.hdr",
+              "lights": { "count": 16, "shadow": { "size": 512, "cascades": 1 } } } },
+            { "name": "Sun", "directional_light": {} })");
+    EXPECT_TRUE(extract().empty());
+    ASSERT_EQ(scene_.lights.size(), 17u);
+    EXPECT_FALSE(scene_.lights[0].of_environment) << "the scene's own come first";
+    const std::vector<physics::DistantLight> expected = [&] {
+        const Image small = small_environment(*scene_.sky.image);
+        return physics::lights_of_equirect(pixels_of(small), small.width, small.height, 16);
+    }();
+    for (size_t i = 0; i < 16; ++i) {
+        const Light& light = scene_.lights[i + 1];
+        EXPECT_TRUE(light.of_environment);
+        EXPECT_EQ(light.kind, LightKind::directional);
+        EXPECT_TRUE(light.shadow.enabled);
+        EXPECT_EQ(light.shadow.size, 512);
+        EXPECT_EQ(light.intensity, expected[i].illuminance);
+        const glm::vec3 d = expected[i].direction;  // a quarter turn about +Y takes +X to -Z
+        EXPECT_LT(glm::distance(glm::vec3(light.transform[2]), glm::vec3(d.z, d.y, -d.x)), 1e-5f);
+        EXPECT_NEAR(glm::determinant(light.transform), 1.0f, 1e-5f);
+    }
+    const glm::vec3 before = scene_.lights[1].intensity;
+    world_.find<SkyComponent>(world_.find_named("Sky"))->intensity = 3.0f;
+    extract();
+    EXPECT_LT(glm::distance(scene_.lights[1].intensity, 3.0f * before), 1e-4f * glm::length(before));
+    world_.find<SkyComponent>(world_.find_named("Sky"))->lights.count = 0;
+    extract();
+    EXPECT_EQ(scene_.lights.size(), 1u);
+}
+
+TEST_F(Extraction, OnlyWhatLightsTheSceneBecomesLights) {
+    load(R"({ "name": "Sky", "sky": { "radiance_cd_m2": [1, 2, 3], "lights": { "count": 8 } } },
+            { "name": "Probe", "light_probe": { "file": "assets:scenes/textures/evening.hdr", "lights": { "count": 4 } } },
+            { "name": "Room", "light_probe": { "file": "assets:scenes/textures/evening.hdr", "extent_m": [1, 1, 1] } })");
+    EXPECT_TRUE(extract().empty());
+    ASSERT_EQ(scene_.lights.size(), 4u) << "a probe without a box stands in for the sky";
+    EXPECT_EQ(scene_.lights[0].entity, world_.find_named("Probe"));
+    world_.find<LightProbeComponent>(world_.find_named("Probe"))->lights.count = 0;
+    extract();
+    EXPECT_TRUE(scene_.lights.empty());
+    world_.find<LightProbeComponent>(world_.find_named("Probe"))->extent_m = glm::vec3(1.0f);
+    extract();
+    ASSERT_EQ(scene_.lights.size(), 8u) << "the same radiance from everywhere";
+    glm::vec3 sum(0.0f);
+    for (const Light& light : scene_.lights) sum += light.intensity;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c] / (4.0f * physics::kPi * float(c + 1)), 1.0f, 1e-4f);
 }
 
 TEST_F(Extraction, ChoosesTheCameraByName) {

@@ -6,6 +6,7 @@
 
 #include "physics/physics.h"
 #include "reference/textures.h"
+#include "scene/environment.h"
 #include "scene/texture_lookup.h"
 
 namespace tyndall::reference {
@@ -42,6 +43,7 @@ vec3 gobo_toward(const Light& light, const vec3& point) {
 
 Lights::Lights(const RenderScene& scene, const Geometry& geometry) : geometry_(geometry), surfaces_(scene.surfaces) {
     for (const Light& light : scene.lights) {
+        if (light.of_environment) continue;  // its image is met itself
         Entry entry;
         entry.light = light;
         entry.kind = light.kind == LightKind::directional ? Kind::directional : Kind::placed;
@@ -55,9 +57,8 @@ Lights::Lights(const RenderScene& scene, const Geometry& geometry) : geometry_(g
         entries_.push_back(std::move(entry));
     }
     sky_ = Environment(scene.sky.image, scene.sky.radiance, scene.sky.rotation);
-    environment_ = sky_;
-    for (const LightProbe& probe : scene.probes)
-        if (!probe.extent_m) environment_ = Environment(probe.image, vec3(probe.intensity), glm::mat3(probe.transform));
+    const tyndall::Environment around = environment_of(scene);
+    environment_ = Environment(around.image, around.radiance, around.world_from_image);
     if (!environment_.dark())
         entries_.push_back({.kind = Kind::environment, .strength = environment_.mean_luminance()});
     triangles_light_ = entries_.size();

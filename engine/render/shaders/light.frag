@@ -25,6 +25,7 @@ void main() {
     light.irradiance = light.unshadowed * light.transmittance;
     ShadingPoint point = ShadingPoint(position, lit.normal, -eye_ray(uv), lit.roughness, lit.model, uv);
     LightTerms terms = shade(lit.model, point, light);
+    if (!light_has_highlight(light_index)) terms.specular_a = terms.specular_b = vec3(0.0);
     light_diffuse = vec4(terms.diffuse, 0.0);
     light_specular_a = vec4(terms.specular_a, 0.0);
     light_specular_b = vec4(terms.specular_b, 0.0);

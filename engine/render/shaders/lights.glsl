@@ -2,7 +2,7 @@
 //
 // A program that looks at one light a draw defines ONE_LIGHT: it gets the light bound by bind_light() whatever number it
 // asks for. It may define as well what it knows of that light (LightPrograms writes all of it): LIGHT_KIND as one of
-// the LIGHT_ constants, LIGHT_GOBO 0 or 1, SHADOW_VIEWS. What is known is not branched on, which counts where both sides
+// the LIGHT_ constants, LIGHT_GOBO and LIGHT_HIGHLIGHT 0 or 1, SHADOW_VIEWS. What is known is not branched on, which counts where both sides
 // of a branch are paid for (llvmpipe).
 #include "physics/intersect.glsl"
 #include "physics/light_profile.glsl"
@@ -27,7 +27,7 @@ struct GpuLight {
     vec4 up_cos_inner;       // local +Y
     vec4 intensity_profile;  // cd or lux, SPOT_...
     vec4 gobo;    // layer or -1, half size in metres (directional) or tan(outer) (spot), size of the emitter in metres
-    vec4 shadow;  // number of views
+    vec4 shadow;  // number of views; 1 = makes no highlights
     ShadowView views[6];
     vec4 padding[5];
 };
@@ -58,6 +58,15 @@ bool light_has_gobo(uint light) {
     return LIGHT_GOBO != 0;
 #else
     return light_data(light).gobo.x >= 0.0;
+#endif
+}
+
+/// Whether surfaces mirror it: lights that stand for the environment are seen in the mirror image of that.
+bool light_has_highlight(uint light) {
+#ifdef LIGHT_HIGHLIGHT
+    return LIGHT_HIGHLIGHT != 0;
+#else
+    return light_data(light).shadow.y == 0.0;
 #endif
 }
 

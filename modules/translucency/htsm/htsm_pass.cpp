@@ -68,8 +68,7 @@ void HtsmPass::render(PassContext& context, const Surface& surface, float number
     glEnable(GL_SCISSOR_TEST);
     glScissor(pixels.low.x, pixels.low.y, pixels.size.x, pixels.size.y);
     const RenderScene& scene = context.frame().scene;
-    const bool begins =
-        settings_.htsm.form == HtsmForm::physical && (scene.lights.empty() || has_light_all_around(scene));
+    const bool begins = settings_.htsm.form == HtsmForm::physical && (scene.lights.empty() || has_surroundings(scene));
     if (begins) begin(context, surface, number, object);
     add_lights(context, surface, number, object, begins);
     glDisable(GL_SCISSOR_TEST);

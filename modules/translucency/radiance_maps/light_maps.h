@@ -14,7 +14,8 @@ namespace tyndall::translucency {
 /// Of one object: layers of one array, a layer a light; six for a light that is near the object or inside of it.
 class LightMaps {
  public:
-    static constexpr int kMaxLayers = 32;
+    static constexpr int kMaxLayers =
+        160;  ///< as in shaders/radiance_maps/layers.glsl; a uniform block of 16 kB holds them
 
     struct Layer {
         MapView view;

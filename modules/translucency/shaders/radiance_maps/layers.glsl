@@ -4,7 +4,7 @@ struct Layer {
     vec4 eye;   // w: 1 in perspective
     vec4 axis;  // unit, along which the light looks; w: side of the map, in perspective at distance 1
 };
-const int kMaxLayers = 32;
+const int kMaxLayers = 160;
 layout(std140) uniform Layers { Layer layers[kMaxLayers]; };
 uniform int layer_count;
 uniform int light_resolution;  // texels along a side
