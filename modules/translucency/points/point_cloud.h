@@ -31,7 +31,7 @@ struct PointCloud {
 
     int levels = 0;
     std::vector<SurfacePoint> points;
-    std::vector<uint32_t> lists;        ///< nodes' numbers of all clusters, one after the other
+    std::vector<uint32_t> lists;        ///< nodes' numbers of all clusters, one after the other, groups before points
     std::vector<uint32_t> list_begins;  ///< clusters + 1
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;
