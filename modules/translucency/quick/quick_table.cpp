@@ -18,13 +18,10 @@ void QuickTable::add(const SeenSurface& seen, const QuickBody& body, QuickKind k
     const Bounds& bounds = seen.surface->bounds;
     const bool goes_through = kind == QuickKind::thickness;  // in the place of what goes around
     const float lift = 0.5f * body.wrap.a * body.wrap.a * body.size.radius;
-    const glm::vec3 wide = goes_through ? glm::vec3(0.0f) : body.wrap.wide;
-    const glm::vec3 even = goes_through ? glm::vec3(0.0f) : body.wrap.even;
     rows_[column] = {body.wrap.a, lift, float(kind), float(2 * bodies_.size())};
     rows_[width_ + column] = {bounds.centre(), 0.5f * glm::distance(bounds.low, bounds.high)};
-    rows_[2 * width_ + column] = {wide, lobe.x};
-    rows_[3 * width_ + column] = {even, lobe.y};
-    rows_[4 * width_ + column] = {lobe.z, lobe.w, 0.0f, 0.0f};
+    rows_[2 * width_ + column] = goes_through ? lobe : glm::vec4(body.wrap.wide, 0.0f);
+    rows_[3 * width_ + column] = goes_through ? glm::vec4(0.0f) : glm::vec4(body.wrap.even, 0.0f);
     bodies_.push_back(&body);
     versions_.push_back(body.version);
     use_.pixels = united(use_.pixels, seen.pixels);

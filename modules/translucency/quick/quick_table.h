@@ -27,7 +27,7 @@ class QuickTable {
     void bind(const gpu::Program& program) const;
 
  private:
-    static constexpr size_t kRows = 5;
+    static constexpr size_t kRows = 4;
 
     ShadingModelUse use_;
     size_t width_ = 0;

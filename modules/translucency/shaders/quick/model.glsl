@@ -49,11 +49,10 @@ vec3 quick_wrap(vec3 here, vec3 around, float cosine) {
 /// Barre-Brisebois & Bouchard 2011; Real-Time Rendering (14.30): share of the light around the body that goes through it
 /// toward the eye. A quarter: of parallel light a body receives so much a unit of its surface, if it is as round as a sphere.
 float quick_lobe(ShadingPoint s, vec3 to_light) {
-    float distortion = quick_body(2).w, power = quick_body(3).w;
-    vec2 ambient_scale = quick_body(4).xy;
-    vec3 bent = normalize(to_light + distortion * s.normal + 1e-6 * s.view);
-    float toward_eye = pow(max(dot(s.view, -bent), 1e-6), power);
-    return 0.25 * ambient_scale.y * mix((power + 1.0) * toward_eye, 1.0, ambient_scale.x);
+    vec4 lobe = quick_body(2);  // distortion, power, ambient, scale
+    vec3 bent = normalize(to_light + lobe.x * s.normal + 1e-6 * s.view);
+    float toward_eye = pow(max(dot(s.view, -bent), 1e-6), lobe.y);
+    return 0.25 * lobe.w * mix((lobe.y + 1.0) * toward_eye, 1.0, lobe.z);
 }
 #endif
 
