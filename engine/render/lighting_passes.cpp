@@ -71,16 +71,33 @@ void LightsPass::create_volumes() {
     glVertexArrayVertexBuffer(vertex_array_, 0, vertices_.name(), 0, sizeof(glm::vec3));
 }
 
+LightsPass::Programs::Programs(const std::vector<std::string>& defines)
+    : volume({.name = "lights",
+              .vertex = "render/shaders/light_volume.vert",
+              .fragment = "render/shaders/light.frag",
+              .defines = defines}),
+      screen({.name = "lights", .fragment = "render/shaders/light.frag", .defines = defines}) {}
+
 void LightsPass::execute(PassContext& context) {
     static constexpr std::string_view kTargets[] = {"light_diffuse", "light_specular_a", "light_specular_b",
                                                     "scene_depth"};
     if (vertex_array_ == 0) create_volumes();
-    Frame& frame = context.frame();
-    const Bounds surfaces = frame.gpu_scene.bounds();
     context.bind_targets(kTargets, -1);
     const DrawState state(DepthState::in_front, BlendState::add);
+    const ShadingModelUse models = seams_.shading_models(context);
+    glEnable(GL_SCISSOR_TEST);
+    add_lights(context, {kStandardModelOnly}, outside(models.pixels, context.size()));
+    if (!models.pixels.empty()) add_lights(context, models.defines, {&models.pixels, 1});
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void LightsPass::add_lights(PassContext& context, const std::vector<std::string>& defines,
+                            std::span<const PixelRectangle> where) {
+    Frame& frame = context.frame();
+    const Bounds surfaces = frame.gpu_scene.bounds();
+    Programs& chosen = programs_.try_emplace(defines, defines).first->second;
     for (const bool whole_screen : {false, true}) {
-        LightPrograms& programs = whole_screen ? screen_programs_ : volume_programs_;
+        LightPrograms& programs = whole_screen ? chosen.screen : chosen.volume;
         programs.begin();
         for (size_t i = 0; i < frame.scene.lights.size(); ++i) {
             const LightVolume volume = light_volume(frame.scene.lights[i], surfaces);
@@ -91,7 +108,10 @@ void LightsPass::execute(PassContext& context) {
                 seams_.bind(Seam::light_transmittance, fresh, context);
             });
             program.set("light_index", unsigned(i));
-            draw(program, frame.block.view_projection, volume);
+            for (const PixelRectangle& pixels : where) {
+                glScissor(pixels.low.x, pixels.low.y, pixels.size.x, pixels.size.y);
+                draw(program, frame.block.view_projection, volume);
+            }
         }
     }
 }

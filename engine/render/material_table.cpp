@@ -76,6 +76,12 @@ uint32_t features_of(const Material& material) {
     return features;
 }
 
+/// Where diffuse light goes through, "thin": with nothing that knows it the sum of both sides comes back.
+std::string shading_model_of(const Material& material) {
+    const bool thin = material.diffuse_transmission > 0.0f && material.shading_model == "standard";
+    return thin ? "thin" : material.shading_model;
+}
+
 MaterialRecord record_of(const Material& m, uint32_t shading_model) {
     MaterialRecord record{};
     record.base_colour = m.base_colour;
@@ -114,7 +120,7 @@ uint32_t MaterialTable::add(const Material& material, const Seams& seams, Textur
     const auto [found, is_new] = index_.try_emplace(&material, uint32_t(entries_.size()));
     if (!is_new) return found->second;
     entries_.push_back({&material, features_of(material)});
-    records_.push_back(record_of(material, seams.shading_model(material.shading_model)));
+    records_.push_back(record_of(material, seams.shading_model(shading_model_of(material))));
     for (const TextureSlot* slot : slots_of(material))
         if (slot->texture) textures.get(*slot->texture);
     return found->second;

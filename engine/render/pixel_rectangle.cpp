@@ -19,4 +19,22 @@ PixelRectangle pixels_of(const Bounds& world, const glm::mat4& view_projection, 
     return {first, last - first};
 }
 
+PixelRectangle united(const PixelRectangle& a, const PixelRectangle& b) {
+    if (a.empty()) return b;
+    if (b.empty()) return a;
+    const glm::ivec2 low = glm::min(a.low, b.low);
+    return {low, glm::max(a.low + a.size, b.low + b.size) - low};
+}
+
+std::vector<PixelRectangle> outside(const PixelRectangle& rectangle, glm::ivec2 size) {
+    if (rectangle.empty()) return {{glm::ivec2(0), size}};
+    const glm::ivec2 low = rectangle.low, high = rectangle.low + rectangle.size;
+    std::vector<PixelRectangle> around{{glm::ivec2(0), {size.x, low.y}},
+                                       {{0, high.y}, {size.x, size.y - high.y}},
+                                       {{0, low.y}, {low.x, rectangle.size.y}},
+                                       {{high.x, low.y}, {size.x - high.x, rectangle.size.y}}};
+    std::erase_if(around, [](const PixelRectangle& one) { return one.empty(); });
+    return around;
+}
+
 }  // namespace tyndall

@@ -3,6 +3,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <vector>
 
 #include "geometry/bounds.h"
 
@@ -17,5 +18,10 @@ struct PixelRectangle {
 
 /// Holds the box in a picture of `size` pixels: all of the picture where a corner is behind the eye.
 [[nodiscard]] PixelRectangle pixels_of(const Bounds& world, const glm::mat4& view_projection, glm::ivec2 size);
+
+/// The smallest that holds both; the other where one is empty.
+[[nodiscard]] PixelRectangle united(const PixelRectangle& a, const PixelRectangle& b);
+/// All other pixels of a picture of `size` pixels, in as few rectangles as it takes, none of them empty.
+[[nodiscard]] std::vector<PixelRectangle> outside(const PixelRectangle& rectangle, glm::ivec2 size);
 
 }  // namespace tyndall

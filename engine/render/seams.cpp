@@ -20,12 +20,27 @@ struct Provider {
 };
 using Providers = std::vector<Provider>;
 
+/// Which models a program has: all of them, or those that it defines (Seams::shading_models).
+std::string define_of(const Provider& model) {
+    return fmt::format("SHADING_MODEL_{}", model.number);
+}
+
+std::string model_case(const Provider& model, std::string_view call) {
+    return fmt::format("#if !defined({}) || defined({})\n        case {}u: return {};\n#endif\n", kStandardModelOnly,
+                       define_of(model), model.number, call);
+}
+
 std::string shading_model_text(const Providers& providers) {
-    std::string text = "LightTerms shade(uint model, ShadingPoint s, LightSample l) {\n    switch (model) {\n";
-    for (const Provider& provider : providers)
-        if (provider.number != 0)
-            text += fmt::format("        case {}u: return {}(s, l);\n", provider.number, provider.provider.function);
-    return text + fmt::format("        default: return {}(s, l);\n    }}\n}}\n", providers.front().provider.function);
+    std::string receivers =
+        "LightReceiver light_receiver(uint model, ShadingPoint s, vec3 to_light) {\n    switch (model) {\n";
+    std::string models = "LightTerms shade(uint model, ShadingPoint s, LightSample l) {\n    switch (model) {\n";
+    for (const Provider& model : providers) {
+        if (model.number == 0) continue;
+        models += model_case(model, model.provider.function + "(s, l)");
+        if (!model.provider.receiver.empty()) receivers += model_case(model, model.provider.receiver + "(s, to_light)");
+    }
+    return receivers + "        default: return LightReceiver(s.position, s.normal);\n    }\n}\n" + models +
+           fmt::format("        default: return {}(s, l);\n    }}\n}}\n", providers.front().provider.function);
 }
 
 std::string light_transmittance_text(const Providers& providers) {
@@ -147,6 +162,20 @@ uint32_t Seams::shading_model(const std::string& name) const {
     for (const Provider& provider : self_->of(Seam::shading_model))
         if (provider.provider.name == name) return provider.number;
     return 0;
+}
+
+ShadingModelUse Seams::shading_models(PassContext& context) const {
+    ShadingModelUse all{{kStandardModelOnly}, {}};
+    for (const Provider& model : self_->of(Seam::shading_model)) {
+        if (model.number == 0) continue;
+        ShadingModelUse one{{}, {glm::ivec2(0), context.size()}};
+        if (model.provider.use) one = model.provider.use(context);
+        if (one.pixels.empty()) continue;
+        all.defines.push_back(define_of(model));
+        all.defines.insert(all.defines.end(), one.defines.begin(), one.defines.end());
+        all.pixels = united(all.pixels, one.pixels);
+    }
+    return all;
 }
 
 void Seams::declare(Seam seam, PassDeclaration& declaration) const {

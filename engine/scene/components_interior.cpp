@@ -148,6 +148,7 @@ Material boundary_material(const ScatteringInterior& interior, const std::string
     material.roughness = interior.roughness;
     material.ior = interior.eta;
     material.specular = interior.eta > 1.0f ? 1.0f : 0.0f;
+    material.shading_model = "interior";  // standard where no module brings it
     return material;
 }
 

@@ -162,16 +162,32 @@ void SkinTables::bind(const gpu::Program& program, const RenderScene& scene) {
     program.texture("skin_mirrors", mirrors_, {.filter = gpu::Filter::linear});
 }
 
+namespace {
+
+/// Where skin may be seen.
+ShadingModelUse seen_skin(PassContext& context) {
+    const Frame& frame = context.frame();
+    PixelRectangle pixels;
+    for (const Surface& surface : frame.scene.surfaces)
+        if (surface.diffusion)
+            pixels = united(pixels, pixels_of(surface.bounds, frame.block.view_projection, context.size()));
+    return {{}, pixels};
+}
+
+}  // namespace
+
 SeamProvider shading_model(std::shared_ptr<SkinTables> tables) {
     return {.name = "skin",
             .include = "skin/shading_model.glsl",
             .function = "skin_shading_model",
             .reads = {"gbuffer_surface"},
-            .bind = [tables = std::move(tables)](const gpu::Program& program, PassContext& context) {
-                tables->bind(program, context.frame().scene);
-                program.texture("skin_gbuffer_surface", context.texture("gbuffer_surface"),
-                                {.filter = gpu::Filter::nearest});
-            }};
+            .bind =
+                [tables = std::move(tables)](const gpu::Program& program, PassContext& context) {
+                    tables->bind(program, context.frame().scene);
+                    program.texture("skin_gbuffer_surface", context.texture("gbuffer_surface"),
+                                    {.filter = gpu::Filter::nearest});
+                },
+            .use = seen_skin};
 }
 
 }  // namespace tyndall::skin

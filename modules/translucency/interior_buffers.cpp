@@ -5,8 +5,8 @@ namespace tyndall::translucency {
 bool InteriorBuffers::update(const InteriorKey& key) {
     if (block_.name() != 0 && key == key_) return false;
     key_ = key;
-    const InteriorBlock block = interior_block(key);
-    block_ = gpu::Buffer(sizeof block, &block, "translucency.interior");
+    made_ = interior_block(key);
+    block_ = gpu::Buffer(sizeof made_, &made_, "translucency.interior");
     return true;
 }
 

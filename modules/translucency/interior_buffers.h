@@ -15,9 +15,12 @@ class InteriorBuffers {
     /// In every frame, before they are bound (PaintStore::of).
     void paint(const BodyPaint* paint, const Surface& surface) { paint_.set(paint, surface); }
     void bind(const gpu::Program& program) const;
+    /// What they hold of the interior.
+    [[nodiscard]] const InteriorBlock& block() const { return made_; }
 
  private:
     InteriorKey key_;
+    InteriorBlock made_{};
     gpu::Buffer block_;
     PaintBinding paint_;
 };

@@ -5,11 +5,10 @@
 #include "module/module.h"
 #include "paint/paint_passes.h"
 #include "points/points_pass.h"
+#include "quick/quick_pass.h"
 #include "radiance_maps/radiance_maps_pass.h"
 #include "scatter_maps/scatter_maps_pass.h"
-#include "thickness/thickness_pass.h"
 #include "tsm/tsm_pass.h"
-#include "wrap/wrap_pass.h"
 
 namespace tyndall::translucency {
 
@@ -18,16 +17,18 @@ class Translucency final : public Module {
     void install(Registrar& registrar) override {
         const TranslucencySettings& settings = registrar.settings<TranslucencySettings>();
         const auto plan = std::make_shared<TechniquePlan>();
-        registrar.pass(std::make_unique<PaintMarkPass>(settings));
+        const auto table = std::make_shared<QuickTable>();
+        registrar.seam(Seam::shading_model, thin_shading_model(settings));
+        registrar.seam(Seam::shading_model, interior_shading_model(table));
+        registrar.pass(std::make_unique<LeavesPass>(settings));
+        registrar.pass(std::make_unique<QuickPass>(plan, table, settings));
+        registrar.pass(std::make_unique<PaintMarkPass>(plan, settings));
         registrar.pass(std::make_unique<PointsPass>(plan, settings));
         registrar.pass(std::make_unique<HtsmPass>(plan, settings));
         registrar.pass(std::make_unique<TsmPass>(plan, settings));
-        registrar.pass(std::make_unique<ThicknessPass>(plan, settings));
-        registrar.pass(std::make_unique<WrapPass>(plan, settings));
         registrar.pass(std::make_unique<RadianceMapsPass>(plan, settings));
         registrar.pass(std::make_unique<ScatterMapsPass>(plan, settings));
         registrar.pass(std::make_unique<PaintMixPass>(plan, settings));
-        registrar.pass(std::make_unique<LeavesPass>(settings));
     }
 };
 

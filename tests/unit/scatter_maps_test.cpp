@@ -81,21 +81,34 @@ TEST(ScatterMaps, RingsGiveOutWhatHasEntered) {
     }
 }
 
-TEST(ScatterMaps, ThinWallsGiveOutNoMoreThanHasEntered) {
-    const ScatterTables tables = scatter_tables(potato());
+/// What a wall gives out on both sides of a unit that enters, as entry.frag and spread.frag do it.
+glm::vec3 given_out(const ScatterTables& tables, float thickness) {
     const glm::vec3 own(tables.cosines[ScatterTables::own].back()), body(tables.block.body);
-    for (const float thickness : {0.0001f, 0.0005f, 0.002f, 0.005f}) {
-        const float column =
-            (tables.block.columns.x + tables.block.columns.y * 2.0f * std::log2(thickness)) * ScatterTables::kColumns -
-            0.5f;
-        const glm::vec3 nearer(tables.kernel[1][size_t(std::clamp(column, 0.0f, float(ScatterTables::kColumns - 1)))]);
-        // thin_scale() of entry.frag
-        const glm::vec3 scale = 1.0f / (body + glm::max(body - nearer, glm::vec3(0.0f)) * (2.0f - body) / body);
-        const glm::vec3 both = own / body + scale * (rings_at(tables, 0.0f) + rings_at(tables, thickness));
-        std::printf("%.1f mm: %.4f %.4f %.4f of what entered\n", 1e3 * double(thickness), double(both.x),
-                    double(both.y), double(both.z));
-        for (int c = 0; c < 3; ++c)
-            EXPECT_LT(both[c], 1.03f) << thickness;  // made whole on a ball: an endless wall loses nothing
+    const float at =
+        (tables.block.columns.x + tables.block.columns.y * 2.0f * std::log2(thickness)) * ScatterTables::kColumns;
+    const float column = std::clamp(at - 0.5f, 0.0f, float(ScatterTables::kColumns) - 1.001f);
+    const auto i = size_t(column);
+    const glm::vec3 scale(glm::mix(tables.kernel[1][i], tables.kernel[1][i + 1], column - float(i)));
+    return own / body + scale * (rings_at(tables, 0.0f) + rings_at(tables, thickness));
+}
+
+TEST(ScatterMaps, WallsGiveOutNoMoreThanHasEntered) {
+    const auto check = [](const ScatterKey& key, float thickness) {
+        const glm::vec3 both = given_out(scatter_tables(key), thickness);
+        std::printf("%.2f mm of a body of radius %.2f mm: %.4f %.4f %.4f of what entered\n", 1e3 * double(thickness),
+                    1e3 * double(key.body_radius), double(both.x), double(both.y), double(both.z));
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_LE(both[c], 1.0f) << thickness;
+            EXPECT_GT(both[c], 0.83f) << thickness << ": what absorbs nothing goes farther than the rings reach";
+        }
+    };
+    ScatterKey white = potato();
+    white.interior.sigma_a_per_m = glm::vec3(0.0f);
+    for (const ScatterKey& key : {potato(), potato(1.4f), white}) {
+        for (const float thickness : {0.0001f, 0.0005f, 0.00123f, 0.002f, 0.005f, 0.00667f}) check(key, thickness);
+        ScatterKey wall = key;  // all of a body
+        wall.body_radius = 0.003f;
+        check(wall, 0.002f);
     }
 }
 

@@ -9,6 +9,19 @@ namespace {
 
 using testing::ElementsAre;
 
+/// For what looks at no frame.
+class NoContext final : public PassContext {
+ public:
+    [[nodiscard]] const gpu::Texture& texture(std::string_view target) const override {
+        throw Error(std::string(target));
+    }
+    [[nodiscard]] const gpu::Texture* find_texture(std::string_view) const override { return nullptr; }
+    void bind_targets() override {}
+    void bind_targets(std::span<const std::string_view>, int, int) override {}
+    [[nodiscard]] glm::ivec2 size() const override { return glm::ivec2(8); }
+    [[nodiscard]] Frame& frame() override { throw Error("no frame"); }
+};
+
 /// Draws one pixel with a fragment shader and reads it back.
 class SeamsTest : public GpuTest {
  protected:
@@ -25,7 +38,7 @@ class SeamsTest : public GpuTest {
         write("sky", "sky", "vec4(sky_radiance(vec3(0, 1, 0)), 1.0)");
         write("model", "shading_model",
               "vec4(shade(MODEL, ShadingPoint(vec3(0), vec3(0, 0, 1), vec3(0, 0, 1), 0.5, MODEL, vec2(0)), "
-              "LightSample(vec3(0, 0, 1), vec3(2.0), vec3(1.0), vec3(2.0))).diffuse, 1.0)");
+              "LightSample(vec3(0, 0, 1), vec3(2.0), vec3(1.0), vec3(2.0), 0u)).diffuse, 1.0)");
     }
     void TearDown() override {
         seams_.reset();
@@ -124,6 +137,61 @@ TEST_F(SeamsTest, ShadingModelsAreChosenByNumber) {
     EXPECT_EQ(draw("model", {"MODEL 1u"}).x, 2.0f);
     seams_->remove(Seam::shading_model, "standard");
     EXPECT_THAT(seams_->providers(Seam::shading_model), ElementsAre("standard", "hair"));
+}
+
+TEST_F(SeamsTest, ProgramsHaveTheModelsThatTheyChoose) {
+    SeamProvider leaf = provider("leaf", "LightTerms leaf_shading_model(ShadingPoint s, LightSample l)",
+                                 "LightTerms terms = no_light(); terms.diffuse = vec3(7.0); return terms;");
+    shaders_->set_text("test/leaf_receiver.glsl",
+                       "#include \"test/leaf.glsl\"\nLightReceiver leaf_receiver(ShadingPoint s, vec3 to_light) { "
+                       "return LightReceiver(s.position + 3.0, -s.normal); }\n");
+    leaf.include = "test/leaf_receiver.glsl";
+    leaf.receiver = "leaf_receiver";
+    leaf.use = [](PassContext&) { return ShadingModelUse{{"LEAF"}, {glm::ivec2(2), glm::ivec2(3)}}; };
+    SeamProvider hair = leaf;
+    hair.name = "hair";
+    hair.use = [](PassContext&) { return ShadingModelUse{{"HAIR"}, {}}; };
+    seams_->add(Seam::shading_model, leaf);
+    seams_->add(Seam::shading_model, hair);
+    NoContext context;
+    const ShadingModelUse use = seams_->shading_models(context);
+    EXPECT_THAT(use.defines, ElementsAre(kStandardModelOnly, "SHADING_MODEL_1", "LEAF"));
+    EXPECT_EQ(use.pixels.size, glm::ivec2(3));
+
+    EXPECT_EQ(draw("model", {"MODEL 1u"}).x, 7.0f) << "without a choice there are all";
+    EXPECT_EQ(draw("model", {"MODEL 1u", kStandardModelOnly}).x, 2.0f);
+    EXPECT_EQ(draw("model", {"MODEL 1u", kStandardModelOnly, "SHADING_MODEL_1"}).x, 7.0f);
+    write("receiver", "shading_model",
+          "vec4(light_receiver(MODEL, ShadingPoint(vec3(1), vec3(0, 0, 1), vec3(0, 0, 1), 0.5, MODEL, vec2(0)), "
+          "vec3(0, 0, 1)).position.x, light_receiver(MODEL, ShadingPoint(vec3(1), vec3(0, 0, 1), vec3(0, 0, 1), 0.5, "
+          "MODEL, vec2(0)), vec3(0, 0, 1)).normal)");
+    EXPECT_EQ(draw("receiver", {"MODEL 0u"}), glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
+    EXPECT_EQ(draw("receiver", {"MODEL 1u"}), glm::vec4(4.0f, 0.0f, 0.0f, -1.0f));
+    EXPECT_EQ(draw("receiver", {"MODEL 1u", kStandardModelOnly}), glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
+}
+
+TEST(PixelRectangles, TheOutsideIsAllElseOnce) {
+    const glm::ivec2 size(7, 5);
+    for (const PixelRectangle& rectangle :
+         {PixelRectangle{}, PixelRectangle{{0, 0}, size}, PixelRectangle{{2, 1}, {3, 2}},
+          PixelRectangle{{0, 3}, {7, 2}}, PixelRectangle{{6, 0}, {1, 5}}}) {
+        std::vector<int> covered(35, 0);
+        const auto cover = [&](const PixelRectangle& one) {
+            for (int y = one.low.y; y < one.low.y + one.size.y; ++y)
+                for (int x = one.low.x; x < one.low.x + one.size.x; ++x) ++covered.at(size_t(y * size.x + x));
+        };
+        cover(rectangle);
+        for (const PixelRectangle& one : outside(rectangle, size)) {
+            EXPECT_FALSE(one.empty());
+            cover(one);
+        }
+        EXPECT_THAT(covered, testing::Each(1));
+    }
+    const PixelRectangle both = united({{1, 2}, {2, 2}}, {{4, 0}, {1, 1}});
+    EXPECT_EQ(both.low, glm::ivec2(1, 0));
+    EXPECT_EQ(both.size, glm::ivec2(4, 4));
+    EXPECT_EQ(united({}, both).size, both.size);
+    EXPECT_EQ(united(both, {}).low, both.low);
 }
 
 TEST_F(SeamsTest, NamesAreUniqueAndReadsAreDeclared) {

@@ -19,11 +19,13 @@ void main() {
     LitPoint lit = decode_lit_point(texelFetch(gbuffer_normal, pixel, 0));
     vec3 position = world_from_depth(uv, texelFetch(scene_depth, pixel, 0).x);
 
-    LightSample light;
-    light.unshadowed = light_irradiance(light_index, position, light.direction_to_light);
-    light.transmittance = light_transmittance(light_index, position, lit.normal);
-    light.irradiance = light.unshadowed * light.transmittance;
     ShadingPoint point = ShadingPoint(position, lit.normal, -eye_ray(uv), lit.roughness, lit.model, uv);
+    LightSample light;
+    light.light = light_index;
+    light.unshadowed = light_irradiance(light_index, position, light.direction_to_light);
+    LightReceiver receiver = light_receiver(lit.model, point, light.direction_to_light);
+    light.transmittance = light_transmittance(light_index, receiver.position, receiver.normal);
+    light.irradiance = light.unshadowed * light.transmittance;
     LightTerms terms = shade(lit.model, point, light);
     if (!light_has_highlight(light_index)) terms.specular_a = terms.specular_b = vec3(0.0);
     light_diffuse = vec4(terms.diffuse, 0.0);

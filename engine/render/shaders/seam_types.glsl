@@ -12,12 +12,19 @@ struct ShadingPoint {
     vec2 uv;          ///< of the screen, 0..1: where a model finds its own targets
 };
 
+/// Where the shadows of a light are looked up for a point, and along which normal.
+struct LightReceiver {
+    vec3 position;
+    vec3 normal;
+};
+
 /// One light at that point.
 struct LightSample {
     vec3 direction_to_light;  ///< unit
     vec3 irradiance;     ///< lux per channel on a plane that faces the light, shadowed
     vec3 transmittance;  ///< the shadows in it: share of the light that gets there
     vec3 unshadowed;     ///< what would arrive with nothing on the way, lux per channel
+    uint light;          ///< its number, for light_transmittance
 };
 
 /// Light from everywhere but the lights.

@@ -7,34 +7,12 @@
 #include "render/gpu_scene.h"
 #include "render/light_state.h"
 #include "render/material_table.h"
-#include "render/seams.h"
 #include "seen_surface.h"
 
 namespace tyndall::translucency {
 namespace {
 
-/// Where in the picture leaves may be seen.
-PixelRectangle pixels_of_leaves(PassContext& context) {
-    PixelRectangle all;
-    for (const Surface& surface : context.frame().scene.surfaces) {
-        if (!is_leaf(surface)) continue;
-        const PixelRectangle one = pixels_of(surface.bounds, context.frame().block.view_projection, context.size());
-        if (one.empty()) continue;
-        if (all.empty()) {
-            all = one;
-            continue;
-        }
-        const glm::ivec2 high = glm::max(all.low + all.size, one.low + one.size);
-        all.low = glm::min(all.low, one.low);
-        all.size = high - all.low;
-    }
-    return all;
-}
-
-void bind_leaves(const gpu::Program& program, PassContext& context, const PixelRectangle& pixels) {
-    bind_lit_pixels(program, context, pixels);
-    program.texture("leaf_share", context.texture("leaf_share"), {.filter = gpu::Filter::nearest});
-}
+constexpr const char* kShare = "leaf_share";
 
 }  // namespace
 
@@ -42,15 +20,34 @@ bool is_leaf(const Surface& surface) {
     return surface.mesh && surface.material && surface.material->diffuse_transmission > 0.0f;
 }
 
-LeavesPass::LeavesPass(const TranslucencySettings& settings)
-    : settings_(settings),
-      programs_({.name = "translucency.leaves.light", .compute = "translucency/leaves/light.comp"}) {}
+PixelRectangle pixels_of_leaves(PassContext& context) {
+    PixelRectangle all;
+    for (const Surface& surface : context.frame().scene.surfaces)
+        if (is_leaf(surface))
+            all = united(all, pixels_of(surface.bounds, context.frame().block.view_projection, context.size()));
+    return all;
+}
+
+SeamProvider thin_shading_model(const TranslucencySettings& settings) {
+    return {.name = "thin",
+            .include = "translucency/leaves/model.glsl",
+            .function = "thin_shading_model",
+            .reads = {kShare},
+            .bind =
+                [](const gpu::Program& program, PassContext& context) {
+                    program.texture(kShare, context.texture(kShare), {.filter = gpu::Filter::nearest});
+                },
+            .receiver = "thin_receiver",
+            .use = [&settings](PassContext& context) -> ShadingModelUse {
+                return {{}, settings.enabled ? pixels_of_leaves(context) : PixelRectangle{}};
+            }};
+}
 
 void LeavesPass::declare(PassDeclaration& declaration) {
     declare_pixels(declaration);
-    declaration.writes("leaf_share", {.format = gpu::Format::rgba16},
-                       "share of the base that light from the far side leaves by, and where");
-    declaration.after("translucency.paint_mix");
+    declaration.stage(Stage::lighting)
+        .writes(kShare, {.format = gpu::Format::rgba16},
+                "share of the base that light from the far side leaves by, and where");
 }
 
 void LeavesPass::execute(PassContext& context) {
@@ -58,15 +55,12 @@ void LeavesPass::execute(PassContext& context) {
     const PixelRectangle pixels = pixels_of_leaves(context);
     if (pixels.empty()) return;
     draw_shares(context);
-    const RenderScene& scene = context.frame().scene;
-    const bool begins = scene.lights.empty() || has_light_all_around(scene);
-    if (begins) begin(context, pixels);
-    add_lights(context, pixels, begins);
+    if (has_light_all_around(context.frame().scene)) light_from_around(context, pixels);
 }
 
 void LeavesPass::draw_shares(PassContext& context) {
     static const SurfaceShader kShader{"translucency.leaves", "translucency/leaves/share.frag", {}};
-    static constexpr std::string_view kTargets[] = {"leaf_share", "scene_depth"};
+    static constexpr std::string_view kTargets[] = {kShare, "scene_depth"};
     Frame& frame = context.frame();
     context.bind_targets(kTargets, -1);
     constexpr float kNothing[4] = {};
@@ -78,30 +72,17 @@ void LeavesPass::draw_shares(PassContext& context) {
     frame.gpu_scene.draw(view, kShader, {});
 }
 
-void LeavesPass::begin(PassContext& context, const PixelRectangle& pixels) {
-    static const gpu::ProgramDesc kDesc{.name = "translucency.leaves.begin",
-                                        .compute = "translucency/leaves/begin.comp"};
+void LeavesPass::light_from_around(PassContext& context, const PixelRectangle& pixels) {
+    static const gpu::ProgramDesc kDesc{.name = "translucency.leaves.around",
+                                        .compute = "translucency/leaves/around.comp"};
     Frame& frame = context.frame();
     const gpu::Program& program = frame.shaders.program(kDesc);
     program.use();
     bind_frame(program, frame);
     frame.seams.bind(Seam::indirect_light, program, context);
-    bind_leaves(program, context, pixels);
+    bind_lit_pixels(program, context, pixels);
+    program.texture(kShare, context.texture(kShare), {.filter = gpu::Filter::nearest});
     dispatch_pixels(pixels.size);
-}
-
-void LeavesPass::add_lights(PassContext& context, const PixelRectangle& pixels, bool begun) {
-    Frame& frame = context.frame();
-    programs_.begin();
-    for (size_t i = 0; i < frame.scene.lights.size(); ++i) {
-        const gpu::Program& program = programs_.use(frame, i, [&](const gpu::Program& fresh) {
-            frame.seams.bind(Seam::light_transmittance, fresh, context);
-            bind_leaves(fresh, context, pixels);
-        });
-        program.set("light_index", unsigned(i));
-        program.set("begins", begun || i > 0 ? 0.0f : 1.0f);
-        dispatch_pixels(pixels.size);
-    }
 }
 
 }  // namespace tyndall::translucency

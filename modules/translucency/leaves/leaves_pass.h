@@ -2,8 +2,8 @@
 /// Thin surfaces that let light through: leaves, paper, cloth, lamp shades (Material::diffuse_transmission).
 
 #include "render/frame_graph.h"
-#include "render/light_programs.h"
 #include "render/pixel_rectangle.h"
+#include "render/seams.h"
 #include "translucency_settings.h"
 
 namespace tyndall::translucency {
@@ -11,11 +11,18 @@ namespace tyndall::translucency {
 /// Whether diffuse light goes through a surface.
 [[nodiscard]] bool is_leaf(const Surface& surface);
 
-/// Turns the irradiance of their near side into that of both sides, by what share of their base each has
-/// (MaterialPoint::through of render/shaders/material.glsl). Does nothing in a scene without.
+/// Where leaves may be seen in the picture.
+[[nodiscard]] PixelRectangle pixels_of_leaves(PassContext& context);
+
+/// The provider of the shading model "thin", which gives the light of both sides, by what share of their base each has
+/// (MaterialPoint::through of render/shaders/material.glsl).
+[[nodiscard]] SeamProvider thin_shading_model(const TranslucencySettings& settings);
+
+/// Draws those shares, before lights are added, and gives the leaves light from all around. Does nothing in a scene
+/// without.
 class LeavesPass final : public Pass {
  public:
-    explicit LeavesPass(const TranslucencySettings& settings);
+    explicit LeavesPass(const TranslucencySettings& settings) : settings_(settings) {}
 
     [[nodiscard]] std::string_view name() const override { return "translucency.leaves"; }
     void declare(PassDeclaration& declaration) override;
@@ -23,12 +30,9 @@ class LeavesPass final : public Pass {
 
  private:
     static void draw_shares(PassContext& context);
-    static void begin(PassContext& context, const PixelRectangle& pixels);
-    /// `begun`: the near side's light has been taken its part from already.
-    void add_lights(PassContext& context, const PixelRectangle& pixels, bool begun);
+    static void light_from_around(PassContext& context, const PixelRectangle& pixels);
 
     const TranslucencySettings& settings_;
-    LightPrograms programs_;
 };
 
 }  // namespace tyndall::translucency

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "render/light_programs.h"
 #include "seen_surface.h"
 #include "translucency_settings.h"
 
@@ -12,13 +13,19 @@ namespace tyndall::translucency {
 /// Before all techniques.
 class PaintMarkPass final : public Pass {
  public:
-    explicit PaintMarkPass(const TranslucencySettings& settings) : settings_(settings) {}
+    PaintMarkPass(std::shared_ptr<TechniquePlan> plan, const TranslucencySettings& settings);
     [[nodiscard]] std::string_view name() const override { return "translucency.paint_mark"; }
     void declare(PassDeclaration& declaration) override;
     void execute(PassContext& context) override;
 
  private:
+    static void mark(PassContext& context);
+    /// Looks at the lights once more, for a body whose pixels the light pass has given what leaves.
+    void light_plainly(PassContext& context, const SeenSurface& seen);
+
+    std::shared_ptr<TechniquePlan> plan_;
     const TranslucencySettings& settings_;
+    LightPrograms programs_;
 };
 
 /// After all techniques.

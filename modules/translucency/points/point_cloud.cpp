@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 
 #include "body_size.h"
@@ -60,6 +61,7 @@ void make_lists(PointCloud& cloud, float opening) {
         for (size_t c = begin; c < end; ++c) {
             const uint32_t node = cloud.first(cluster_level) + uint32_t(c);
             add_list(cloud, balls, balls[node], opening, cloud.levels, 0, lists[c]);
+            std::ranges::sort(lists[c], std::greater{});  // groups have the greater numbers
         }
     });
     cloud.list_begins.assign(1, 0);

@@ -32,7 +32,7 @@ struct PointCloud {
 
     int levels = 0;
     std::vector<SurfacePoint> points;
-    std::vector<uint32_t> lists;         ///< nodes' numbers of all clusters, one after the other
+    std::vector<uint32_t> lists;         ///< nodes' numbers of all clusters, one after the other, groups before points
     std::vector<uint32_t> list_begins;   ///< clusters + 1
     std::vector<uint32_t> sights;        ///< of all points one after the other: what their rays meet (look_around)
     std::vector<uint32_t> sight_begins;  ///< points + 1

@@ -122,6 +122,71 @@ void add_own(ScatterTables& tables, const Kernel& kernel, float first_ring) {
     }
 }
 
+/// What the rings give at a place of ground that faces the light, of a unit that enters each square metre of ground so
+/// many metres behind.
+glm::vec3 rings_over(const ScatterTables& tables, float behind_m) {
+    glm::vec3 sum(0.0f);
+    for (const glm::vec4& tap : tables.block.taps) {
+        const float r2 = tap.x * tap.x + tap.y * tap.y + behind_m * behind_m;
+        const float at = (tables.block.columns.x + tables.block.columns.y * std::log2(r2)) * ScatterTables::kColumns;
+        const float column = std::clamp(at - 0.5f, 0.0f, float(ScatterTables::kColumns) - 1.001f);
+        const auto i = size_t(column);
+        sum += tap.w * glm::vec3(glm::mix(tables.kernel[0][i], tables.kernel[0][i + 1], column - float(i)));
+    }
+    return sum;
+}
+
+/// What is left of light that enters a wall so thick, which leaves on both sides. Thin walls, by the kernel: on each
+/// side as much as of thick ground; a ball of the body's size counts as thick.
+glm::vec3 left_by_kernel(const ScatterTables& tables, const Kernel& kernel, float metres) {
+    const glm::vec3 body = glm::max(glm::vec3(tables.block.body), glm::vec3(1e-6f));
+    const glm::vec3 beyond = glm::max(body - kernel.within(metres), glm::vec3(0.0f));
+    return 1.0f / (body + beyond * (2.0f - body) / body);
+}
+
+/// The same, so that an endless wall sends out no more than has entered: rings are a coarse integral, and a kernel that
+/// is whole on a ball gives a wall too much.
+glm::vec3 left_of_wall(const ScatterTables& tables, const Kernel& kernel, float metres) {
+    const glm::vec3 body = glm::max(glm::vec3(tables.block.body), glm::vec3(1e-6f));
+    const glm::vec3 own(tables.cosines[ScatterTables::own].back());
+    const glm::vec3 rings = rings_over(tables, 0.0f) + rings_over(tables, metres);
+    return glm::min(left_by_kernel(tables, kernel, metres), (1.0f - own / body) / glm::max(rings, glm::vec3(1e-6f)));
+}
+
+/// 0 where it may be a wall, 1 where it is none. A body that is a wall is two thirds of its radius (3 volume over
+/// surface) thick, a part of another less; a ball is thicker for most of its light.
+float is_thick(const ScatterKey& key, float metres) {
+    return glm::smoothstep(0.67f * key.body_radius, key.body_radius, metres);
+}
+
+/// What the light of a ball's thick part is multiplied by, so that the ball sends out as much as by the kernel.
+glm::vec3 made_up(const ScatterTables& tables, const ScatterKey& key, const Kernel& kernel) {
+    constexpr int kPlaces = 128;
+    glm::vec3 lost(0.0f), thick(0.0f);
+    for (int i = 0; i < kPlaces; ++i) {  // of equal light
+        const float metres = 2.0f * key.body_radius * std::sqrt((float(i) + 0.5f) / kPlaces);
+        const glm::vec3 all = left_by_kernel(tables, kernel, metres);
+        lost += (1.0f - is_thick(key, metres)) * (all - left_of_wall(tables, kernel, metres));
+        thick += is_thick(key, metres) * all;
+    }
+    return 1.0f + lost / glm::max(thick, glm::vec3(1e-6f));
+}
+
+void add_walls(ScatterTables& tables, const ScatterKey& key, const Kernel& kernel, float low, float high) {
+    constexpr int kLast = ScatterTables::kColumns - 1;
+    const bool exact = key.scaling == Scaling::exact;
+    const glm::vec3 up = exact ? made_up(tables, key, kernel) : glm::vec3(1.0f);
+    const auto left = [&](int i) {  // thinner walls look into the first column
+        const float r2 = std::exp2(low + (high - low) * float(std::min(i, kLast)) / kLast);
+        const float metres = i <= 0 ? 0.0f : std::sqrt(r2);
+        const glm::vec3 all = left_by_kernel(tables, kernel, metres);
+        if (!exact) return all;
+        return glm::mix(left_of_wall(tables, kernel, metres), up * all, is_thick(key, metres));
+    };
+    for (int i = 0; i <= kLast; ++i)  // the least near by, for what is looked up between two columns
+        tables.kernel[1].emplace_back(glm::min(left(i), glm::min(left(i - 1), left(i + 1))), 0.0f);
+}
+
 /// What form green sends through: as much as the kernel puts on the far half of a ball, twice since it is spread over
 /// all of it. A closed body shows the light a quarter of its surface on average (Cauchy); with that, and the mean of
 /// what has faded on a ball, all that leaves is as much as in the other forms.
@@ -200,8 +265,8 @@ ScatterTables scatter_tables(const ScatterKey& key) {
         const float r = std::exp2(0.5f * (low + (high - low) * static_cast<float>(i) / (ScatterTables::kColumns - 1)));
         tables.kernel[0].emplace_back(kernel.at(r),
                                       1.0f - std::exp2(-r / (kDeepPaths * path) * std::numbers::log2e_v<float>));
-        tables.kernel[1].emplace_back(kernel.within(r), 0.0f);
     }
+    add_walls(tables, key, kernel, low, high);
     add_green(block, kernel, reduced);
     return tables;
 }

@@ -35,7 +35,7 @@ struct ScatterKey {
 [[nodiscard]] bool same(const ScatterKey& a, const ScatterKey& b);
 
 /// The block, and a table over the distance: the kernel in its first row, 1/m2, w: how much of it has come from deep
-/// inside; in the second the share that stays nearer.
+/// inside; in the second what is left of light that enters a wall of that thickness, since it leaves on both sides.
 struct ScatterTables {
     static constexpr int kColumns = 256;
     /// Rows of `cosines`.

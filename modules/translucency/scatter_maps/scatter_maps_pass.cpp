@@ -57,7 +57,7 @@ void ScatterMapsPass::declare(PassDeclaration& declaration) {
         .writes(kNear, {.format = gpu::Format::rgba16f, .scale = 0.5f}, "blurred light that entered near by")
         .writes(kDeep, {.format = gpu::Format::rgba16f, .scale = 0.5f}, "blurred light from deep inside")
         .updates("light_diffuse", "light that leaves translucent surfaces in place of what arrives there")
-        .after("translucency.wrap");
+        .after("translucency.tsm");
 }
 
 void ScatterMapsPass::execute(PassContext& context) {

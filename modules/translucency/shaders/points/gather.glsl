@@ -17,25 +17,45 @@ struct Exitances {
 vec4 exitance_of(Exitances all, uint i) { return vec4(all.red[i], all.green[i], all.blue[i], all.deep[i]); }
 
 // Each Gaussian's rate is twice that of the one before, k r^2 with it.
-#define GAUSSIAN(k) w = interior.kernel[k].rgb; wide = g + g * spread * (kSpread * rates - 1.0); \
-    red += w.r * wide; green += w.g * wide; blue += w.b * wide; \
-    g *= g; rates += rates; spread += spread;
+#define ALL_GAUSSIANS GAUSSIAN(15) GAUSSIAN(14) GAUSSIAN(13) GAUSSIAN(12) GAUSSIAN(11) GAUSSIAN(10) GAUSSIAN(9) \
+    GAUSSIAN(8) GAUSSIAN(7) GAUSSIAN(6) GAUSSIAN(5) GAUSSIAN(4) GAUSSIAN(3) GAUSSIAN(2) GAUSSIAN(1) GAUSSIAN(0)
 
-/// Adds what leaves at four squared distances from a group of nodes whose places vary by `variance` along each axis of the
-/// surface: to the second order, the Gaussians' Laplacian there. Groups are seen neither edge-on nor face-on but in
-/// between: kSpread is 1 where they lie along the way to them, 0 where they face it.
+/// What leaves at four squared distances for a unit of flux, 1/m2, a channel each.
+struct Kernels {
+    vec4 red, green, blue;
+};
+
+/// From a point.
+Kernels kernels_of_point(vec4 r2) {
+    vec4 g = exp2(-1.44269504 * interior.kernel_rate.x * r2);
+    Kernels sum = Kernels(vec4(0.0), vec4(0.0), vec4(0.0));
+    vec3 w;
+#define GAUSSIAN(k) w = interior.kernel[k].rgb; sum.red += w.r * g; sum.green += w.g * g; sum.blue += w.b * g; g *= g;
+    ALL_GAUSSIANS
+#undef GAUSSIAN
+    return sum;
+}
+
+/// From a group of points whose places vary by `variance` along each axis of the surface: to the second order, the
+/// Gaussians' Laplacian there. Groups are seen neither edge-on nor face-on but in between: kSpread is 1 where they lie
+/// along the way to them, 0 where they face it.
 const float kSpread = 0.75;
-void add_flux(inout Exitances sum, vec4 r2, float variance, vec3 flux, vec4 other) {
+Kernels kernels_of_group(vec4 r2, float variance) {
     vec4 rates = interior.kernel_rate.x * r2;
     vec4 g = exp2(-1.44269504 * rates), wide;
-    vec4 red = vec4(0.0), green = vec4(0.0), blue = vec4(0.0);
-    vec3 w;
     float spread = 2.0 * interior.kernel_rate.x * variance;
-    GAUSSIAN(15) GAUSSIAN(14) GAUSSIAN(13) GAUSSIAN(12) GAUSSIAN(11) GAUSSIAN(10) GAUSSIAN(9) GAUSSIAN(8)
-    GAUSSIAN(7) GAUSSIAN(6) GAUSSIAN(5) GAUSSIAN(4) GAUSSIAN(3) GAUSSIAN(2) GAUSSIAN(1) GAUSSIAN(0)
-    red *= flux.r * other;
-    green *= flux.g * other;
-    blue *= flux.b * other;
+    Kernels sum = Kernels(vec4(0.0), vec4(0.0), vec4(0.0));
+    vec3 w;
+#define GAUSSIAN(k) w = interior.kernel[k].rgb; wide = g + g * spread * (kSpread * rates - 1.0); \
+    sum.red += w.r * wide; sum.green += w.g * wide; sum.blue += w.b * wide; \
+    g *= g; rates += rates; spread += spread;
+    ALL_GAUSSIANS
+#undef GAUSSIAN
+    return sum;
+}
+
+void add_flux(inout Exitances sum, Kernels kernels, vec4 r2, vec3 flux) {
+    vec4 red = flux.r * kernels.red, green = flux.g * kernels.green, blue = flux.b * kernels.blue;
     sum.red += red;
     sum.green += green;
     sum.blue += blue;
@@ -63,28 +83,52 @@ Four four_of_thread(uint first) {
     return four;
 }
 
-void add_node(inout Four four, uint node, vec4 place, vec3 flux) {
+vec4 squared_distances(Four four, vec3 place) {
     vec4 dx = four.x - place.x, dy = four.y - place.y, dz = four.z - place.z;
-    vec4 other = mix(vec4(1.0), vec4(0.0), equal(four.points, uvec4(node)));
-    add_flux(four.sum, dx * dx + dy * dy + dz * dz, place.w, flux, other);
+    return dx * dx + dy * dy + dz * dz;
+}
+void add_group(inout Four four, vec4 place, vec3 flux) {
+    vec4 r2 = squared_distances(four, place.xyz);
+    add_flux(four.sum, kernels_of_group(r2, place.w), r2, flux);
+}
+/// No point gathers from itself.
+void add_point(inout Four four, uint point, vec3 place, vec3 flux) {
+    vec4 r2 = squared_distances(four, place), other = mix(vec4(1.0), vec4(0.0), equal(four.points, uvec4(point)));
+    Kernels kernels = kernels_of_point(r2);
+    kernels = Kernels(kernels.red * other, kernels.green * other, kernels.blue * other);
+    add_flux(four.sum, kernels, r2, flux);
 }
 
 uint node_in_lists(uint i) { return uint(texelFetch(lists, ivec2(i % 1024u, i / 1024u), 0).r); }
 
-/// By the light that has entered everywhere but at the points themselves, not scaled there. Two loops, since processors
-/// skip nothing but by a loop: the inner one looks for the next node with light.
+/// The next node with light from i on, or the list's last one; i is beyond it then.
+uint next_lit(inout uint i, uint last, out vec3 flux) {
+    uint node;
+    do {
+        node = node_in_lists(i++);
+        flux = texelFetch(node_fluxes, node_texel(node), 0).rgb;
+    } while (flux == vec3(0.0) && i < last);
+    return node;
+}
+
+/// By the light that has entered everywhere but at the points themselves, not scaled there. Loops within loops, since
+/// processors skip nothing but by a loop: the inner ones look for the next node with light. A list has its groups first,
+/// and always points.
 void gather(inout Four low, inout Four high) {
     uint i = list_begins[gl_WorkGroupID.x], last = list_begins[gl_WorkGroupID.x + 1u];
-    do {
-        uint node;
-        vec3 flux;
-        do {
-            node = node_in_lists(i++);
-            flux = texelFetch(node_fluxes, node_texel(node), 0).rgb;
-        } while (flux == vec3(0.0) && i < last);
+    vec3 flux;
+    uint node = next_lit(i, last, flux);
+    while (node >= point_count) {
         vec4 place = texelFetch(node_places, node_texel(node), 0);
-        place.w = node < point_count ? 0.0 : place.w;
-        add_node(low, node, place, flux);
-        add_node(high, node, place, flux);
-    } while (i < last);
+        add_group(low, place, flux);
+        add_group(high, place, flux);
+        node = next_lit(i, last, flux);
+    }
+    do {
+        vec3 place = texelFetch(node_places, node_texel(node), 0).xyz;
+        add_point(low, node, place, flux);
+        add_point(high, node, place, flux);
+        if (i >= last) break;
+        node = next_lit(i, last, flux);
+    } while (true);
 }

@@ -51,6 +51,7 @@ void main() {
             from_deep += leaves * kernel.a;
         }
     } while (++ring < rings);
-    near = vec4(from_near, 0.0);
-    deep = vec4(from_deep, 0.0);
+    // where nothing is seen the place lies so far away that what was reckoned may be no number, which no weight takes away
+    near = found.x > 0.0 ? vec4(from_near, 0.0) : vec4(0.0);
+    deep = found.x > 0.0 ? vec4(from_deep, 0.0) : vec4(0.0);
 }

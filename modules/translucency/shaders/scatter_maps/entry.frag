@@ -13,13 +13,6 @@ layout(location = 2) out vec4 flux;
 uniform uint light_index;
 uniform sampler2D exits;
 
-/// A thin wall sends light out on both sides, each as much as thick ground would: scaled to what has entered. A ball
-/// of the body's size counts as thick.
-vec3 thin_scale(float thickness) {
-    vec3 body = solid.body.rgb, beyond = max(body - stays_within(thickness), vec3(0.0));
-    return 1.0 / max(body + beyond * (2.0 - body) / max(body, vec3(1e-6)), vec3(1e-6));
-}
-
 void main() {
     vec3 to_light, normal = normalize(v_normal);
     vec3 irradiance = light_irradiance(light_index, v_place, to_light) * light_transmittance(light_index, v_place, normal);

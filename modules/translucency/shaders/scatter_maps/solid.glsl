@@ -15,12 +15,13 @@ layout(std140) uniform ScatterMaps {
 } solid;
 
 uniform sampler2D cosine_table;
-uniform sampler2D kernel_table;  // rows: kernel, 1/m2, share from deep inside; share that stays nearer
+uniform sampler2D kernel_table;  // rows: kernel, 1/m2, share from deep inside; thin_scale
 
 /// The kernel at a squared distance.
 vec4 kernel_here(float r2) { return textureLod(kernel_table, vec2(solid.columns.x + solid.columns.y * log2(r2), 0.25), 0.0); }
-vec3 stays_within(float r) {
-    return textureLod(kernel_table, vec2(solid.columns.x + solid.columns.y * 2.0 * log2(max(r, 1e-9)), 0.75), 0.0).rgb;
+/// What is left of light that enters a wall so thick, metres: it leaves on both sides, on each as much as of thick ground.
+vec3 thin_scale(float thickness) {
+    return textureLod(kernel_table, vec2(solid.columns.x + solid.columns.y * 2.0 * log2(max(thickness, 1e-9)), 0.75), 0.0).rgb;
 }
 
 /// By a cosine, in a row of ScatterTables::cosines.

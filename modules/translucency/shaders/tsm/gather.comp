@@ -56,6 +56,7 @@ struct Block {
     float cell;        // in the window
     vec3 pixel;        // in the window; metres that a unit of it spans at the pixel
     int level;
+    bool first;        // known when it is compiled
     float slope;       // variance of the depth in a cell that slopes as the pixel does, m2
 };
 
@@ -83,7 +84,7 @@ void add_cell(inout Gathered sum, Block block, vec4 light, float spread, vec2 of
     vec3 exitance = light.rgb * kernel.rgb;
     sum.exitance += exitance;
     sum.deep += luminance_rec709(exitance) * kernel.a;
-    if (block.level == 0) sum.near += light.rgb * exp2(-1.44269504 * first.a * r2);
+    if (block.first) sum.near += light.rgb * exp2(-1.44269504 * first.a * r2);
 }
 
 void add_ends(inout Gathered sum, Block block, Row row, float y, float z) {
@@ -96,9 +97,10 @@ void add_middle(inout Gathered sum, Block block, Row row, float y, float z) {
 }
 
 /// All 16 cells of the first level, and of others the 12 that lie around the level before.
-void add_level(inout Gathered sum, int level, vec3 at, float metres, float slope) {
+void add_level(inout Gathered sum, int level, bool is_first, vec3 at, float metres, float slope) {
     Block block;
     block.level = level;
+    block.first = is_first;
     int last = (map_size >> (levels.x + level)) - 1;
     ivec2 origin = level_origin(levels.x + level);
     vec2 low = at.xy * float(last + 1) - 2.0, base = floor(low), f = low - base;
@@ -124,11 +126,11 @@ void add_level(inout Gathered sum, int level, vec3 at, float metres, float slope
     r0 = row_of(block, y.z);
     cells = mixed(r1, r0, lower.y, upper.y);
     add_ends(sum, block, cells, -0.5, at.z);
-    if (level == 0) add_middle(sum, block, cells, -0.5, at.z);
+    if (block.first) add_middle(sum, block, cells, -0.5, at.z);
     r1 = row_of(block, y.w);
     cells = mixed(r0, r1, lower.z, upper.z);
     add_ends(sum, block, cells, 0.5, at.z);
-    if (level == 0) add_middle(sum, block, cells, 0.5, at.z);
+    if (block.first) add_middle(sum, block, cells, 0.5, at.z);
     r0 = row_of(block, last_y);
     cells = mixed(r1, r0, lower.w, upper.w);
     add_ends(sum, block, cells, 1.5, at.z);
@@ -137,12 +139,8 @@ void add_level(inout Gathered sum, int level, vec3 at, float metres, float slope
 
 shared uint seen_by_group;
 
-void main() {
-    Pixel pixel = pixel_here();
-    if (gl_LocalInvocationIndex == 0u) seen_by_group = 0u;
-    barrier();
-    if (pixel.seen) seen_by_group = 1u;
-    barrier();
+/// What
+vec3 exitance_at(Pixel pixel) {
     vec3 at = light_place(pixel.place);
     float metres = window_metres(at.z);
     vec3 unused;
@@ -151,9 +149,10 @@ void main() {
     float slope = min(1.0 / max(facing * facing, 1e-3), kSteepest);
     at = vec3((at.xy / metres - view.window.xy) / view.window.z, at.z - view.window.w);
     Gathered sum = Gathered(vec3(0.0), vec3(0.0), 0.0);
-    int last = seen_by_group != 0u && gathers > 0.0 ? levels.y - levels.x : 0, level = 0;
-    do {
-        add_level(sum, level, at, metres, slope);
+    add_level(sum, 0, true, at, metres, slope);  // apart from the others, which then have no code of its own
+    int last = seen_by_group != 0u && gathers > 0.0 ? levels.y - levels.x : 0, level = 1;
+    if (last >= 1) do {
+        add_level(sum, level, false, at, metres, slope);
     } while (++level <= last);
     // the pixel's own light
     vec3 to_light;
@@ -172,7 +171,16 @@ void main() {
     float here = luminance_rec709(others + own);
     float deep = clamp(1.0 - luminance_rec709(even) / max(here, 1e-30), 0.0, 1.0) * sum.deep / max(luminance_rec709(sum.exitance), 1e-30);
     vec3 near = near_pattern(pixel.cosine);
-    vec3 exitance = mix(near, deep_pattern(pixel.cosine), deep) * others + near * own;
+    return mix(near, deep_pattern(pixel.cosine), deep) * others + near * own;
+}
+
+void main() {
+    Pixel pixel = pixel_here();
+    if (gl_LocalInvocationIndex == 0u) seen_by_group = 0u;
+    barrier();
+    if (pixel.seen) seen_by_group = 1u;
+    barrier();
+    vec3 exitance = exitance_at(pixel);
     if (pixel.seen) {
         vec4 had = keeps * imageLoad(light_diffuse, pixel.at);
         imageStore(light_diffuse, pixel.at, had + vec4(irradiance_as(exitance), 0.0));
