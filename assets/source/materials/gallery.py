@@ -62,7 +62,7 @@ def make_picture(preset, tyndall, spp):
         run(tyndall, "capture", at / "scene.json", "--size", size, "--supersample", 3, "--exr", "--out", at)
         small = ["--ch", "R,G,B", "--resize:filter=box", f"{SIDE}x{SIDE}"]
         run("oiiotool", at / "traced.exr", *small, "--median", "3x3", at / "scene.exr", *small, "--mosaic:pad=2", "2x1",
-            "--colorconvert", "linear", "sRGB", "--compression", "jpeg:92", "-o", target)
+            "--colorconvert", "linear", "sRGB", "--nosoftwareattrib", "--eraseattrib", ".*", "--compression", "jpeg:92", "-o", target)
 
 
 def words(numbers):
