@@ -115,15 +115,15 @@ FN vec3 normalised_diffusion(vec3 albedo, vec3 mean_free_path, float r) {
     return albedo * (exp(-r / d) + exp(-r / (3.0f * d))) / (8.0f * kPi * r * d);
 }
 
-/// Frisvad, Hachisuka & Kjeldsen 2014: exitance of one source of the directional dipole, a channel each. `r` is the
-/// distance to where the light leaves (the model's own for the real one); `xw` and `xn` the way there along the way in which
+/// Frisvad, Hachisuka & Kjeldsen 2014: exitance of one source of the directional dipole, a channel each. `r2` is the
+/// squared distance to where the light leaves (the model's own for the real one); `xw` and `xn` the way there along the way in which
 /// the source sends light and along the normal where the light leaves, `wn` the cosine between these two.
-FN vec3 directional_source(Diffusion m, vec3 r, vec3 xw, vec3 xn, float wn) {
-    vec3 s = m.sigma_tr * r, s1 = vec3(1.0f) + s;
-    vec3 nearness = vec3(1.0f) / (r * r);
-    vec3 fluence = r * r / m.coefficient + 3.0f * s1 * xw;
-    vec3 slope = 3.0f * m.coefficient * s1 * wn - (s1 + 3.0f * m.coefficient * (3.0f * s1 + s * s) * nearness * xw) * xn;
-    return exp(-s) * nearness / (4.0f * kPi * r) * (m.c_phi * fluence - m.c_e * slope);
+FN vec3 directional_source(Diffusion m, vec3 r2, vec3 xw, vec3 xn, float wn) {
+    vec3 nearness = inversesqrt(r2), nearness2 = nearness * nearness;
+    vec3 s = m.sigma_tr * r2 * nearness, s1 = vec3(1.0f) + s, d3 = 3.0f * m.coefficient;
+    vec3 fluence = r2 / m.coefficient + 3.0f * s1 * xw;
+    vec3 slope = d3 * s1 * wn - (s1 + d3 * (3.0f * s1 + s * s) * nearness2 * xw) * xn;
+    return exp(-s) * (nearness * nearness2 / (4.0f * kPi)) * (m.c_phi * fluence - m.c_e * slope);
 }
 
 /// The directional dipole: light that enters along the unit vector `w` (already refracted) where the unit normal is
@@ -133,20 +133,20 @@ FN vec3 directional_dipole(Diffusion m, vec3 x, vec3 w, vec3 normal_in, vec3 nor
     float r2 = dot(x, x), xw = dot(x, w), xn = dot(x, normal_out), wn = dot(w, normal_out);
     vec3 d_e = 2.131f * m.coefficient / sqrt(max(m.albedo_reduced, vec3(1e-4f)));
     // of the real source: what is seen from the lit side lies farther
-    vec3 cos_beta = -sqrt(max(r2 - xw * xw, 0.0f) / (vec3(r2) + d_e * d_e));
+    vec3 cos_beta = -sqrt(max(r2 - xw * xw, 0.0f)) * inversesqrt(vec3(r2) + d_e * d_e);
     vec3 lit = m.coefficient * wn * (m.coefficient * wn + 2.0f * d_e * cos_beta);
     vec3 back = vec3(1.0f) / (9.0f * m.sigma_t * m.sigma_t);
-    vec3 d_real = sqrt(max(vec3(r2) + (wn < 0.0f ? lit : back), vec3(1e-20f)));
+    vec3 real2 = max(vec3(r2) + (wn < 0.0f ? lit : back), vec3(1e-20f));
     // the plane that mirrors it holds x
     vec3 across = r2 * normal_in - dot(x, normal_in) * x;
     float l2 = dot(across, across);
-    vec3 mirror = l2 > 1e-12f * r2 * r2 && r2 > 0.0f ? across / sqrt(l2) : normal_in;
+    vec3 mirror = l2 > 1e-12f * r2 * r2 && r2 > 0.0f ? across * inversesqrt(l2) : normal_in;
     float xm = dot(x, mirror), wm = dot(w, mirror), mn = dot(mirror, normal_out);
     vec3 apart = ((1.0f - m.c_e) / m.c_phi) * d_e;  // of the two sources
-    vec3 d_mirrored = sqrt(max(vec3(r2) + apart * (apart - 2.0f * xm), vec3(1e-20f)));
+    vec3 mirrored2 = max(vec3(r2) + apart * (apart - 2.0f * xm), vec3(1e-20f));
     vec3 xw_mirrored = vec3(xw - 2.0f * wm * xm) + apart * wm;
-    return max(directional_source(m, d_real, vec3(xw), vec3(xn), wn) -
-                   directional_source(m, d_mirrored, xw_mirrored, vec3(xn) - apart * mn, wn - 2.0f * wm * mn),
+    return max(directional_source(m, real2, vec3(xw), vec3(xn), wn) -
+                   directional_source(m, mirrored2, xw_mirrored, vec3(xn) - apart * mn, wn - 2.0f * wm * mn),
                vec3(0.0f));
 }
 

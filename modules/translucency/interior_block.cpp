@@ -24,6 +24,20 @@ glm::vec3 slanted(const InteriorKey& key, const glm::vec3& straight, float i) {
     return straight / glm::max(returned, 0.1f * straight + 1e-12f);
 }
 
+/// A Gaussian's integral over a plane is its weight over its rate, and rates double from one to the next narrower.
+void add_plane_shares(InteriorBlock& block) {
+    constexpr int kLast = RadialKernel::kGaussians - 1;
+    glm::vec3 all(0.0f);
+    for (int k = kLast; k >= 0; --k) all += std::ldexp(1.0f, k - kLast) * glm::vec3(block.kernel[k]);
+    const glm::vec3 inverse = 1.0f / glm::max(all, glm::vec3(1e-30f));
+    for (int pair = 0; pair < RadialKernel::kGaussians / 2; ++pair) {
+        const int k = kLast - 2 * pair;
+        const glm::vec3 both = glm::vec3(block.kernel[k]) + 0.5f * glm::vec3(block.kernel[k - 1]);
+        glm::vec4& shares = pair < 4 ? block.plane_wide : block.plane_narrow;
+        shares[pair % 4] = glm::dot(both * inverse, glm::vec3(1.0f / 3.0f)) * std::ldexp(1.0f, -2 * pair);
+    }
+}
+
 /// Of light that is even over the hemisphere.
 float diffuse_entering(float eta, float roughness) {
     if (eta <= 1.0f) return 1.0f;
@@ -89,6 +103,7 @@ InteriorBlock interior_block(const InteriorKey& key) {
     const RadialKernel kernel(optics, key.model, key.scaling, key.piece_radius);
     std::ranges::copy(kernel.weights(), block.kernel);
     block.kernel_rate = glm::vec4(kernel.rate(), std::numbers::log2e_v<float> / deep_distance(optics), 0.0f, 0.0f);
+    add_plane_shares(block);
     block.sigma_s_reduced = glm::vec4(optics.sigma_s_reduced, 0.0f);
     block.sigma_a = glm::vec4(optics.sigma_a, 0.0f);
     for (size_t i = 0; i < physics::HalfSpace::kCosines; ++i)

@@ -22,8 +22,10 @@ struct InteriorBlock {
     glm::vec4 published;                              ///< what the published model is multiplied by
     glm::vec4 slanted[physics::HalfSpace::kCosines];  ///< directional: what flux is multiplied by for what the model
                                                       ///< returns too little of it, by the cosine inside
-    glm::vec4 rough[kRoughCosines];  ///< x what a rough boundary mirrors over what a smooth one does, by
-                                     ///< the cosine outside
+    glm::vec4 plane_wide, plane_narrow;  ///< shares of the kernel's integral over a plane that pairs of its
+                                         ///< Gaussians have in the mean of the channels, the widest first
+    glm::vec4 rough[kRoughCosines];      ///< x what a rough boundary mirrors over what a smooth one does, by
+                                         ///< the cosine outside
 };
 
 /// All that an interior's GPU copy is made from.

@@ -22,12 +22,11 @@ gpu::Texture table(std::vector<glm::vec4> values, std::string_view name) {
     made.upload(0, 0, values.data());
     return made;
 }
-/// A texture of kListColumns columns; a float has 24 bits exactly.
-gpu::Texture numbers(std::span<const uint32_t> list, std::string_view name) {
+/// A texture of kListColumns columns; a float has 24 bits of a number exactly.
+gpu::Texture numbers(std::vector<float> values, std::string_view name) {
     const gpu::TextureDesc desc{.format = gpu::Format::r32f,
                                 .width = kListColumns,
-                                .height = (int(list.size()) + kListColumns - 1) / kListColumns};
-    std::vector<float> values(list.begin(), list.end());
+                                .height = (int(values.size()) + kListColumns - 1) / kListColumns};
     values.resize(size_t(desc.width) * size_t(desc.height), 0.0f);
     gpu::Texture made(desc, name);
     made.upload(0, 0, values.data());
@@ -57,8 +56,11 @@ GpuCloud::GpuCloud(const PointCloud& cloud, const glm::vec3& the_shape)
     surface.emplace_back(0.0f);
     surface.emplace_back(glm::vec3(0.0f), float(cloud.sights.size()));
     pieces = table(std::move(surface), "translucency.pieces");
-    lists = numbers(cloud.lists, "translucency.lists");
-    if (!cloud.sights.empty()) sights = numbers(cloud.sights, "translucency.sights");
+    lists = numbers(std::vector<float>(cloud.lists.begin(), cloud.lists.end()), "translucency.lists");
+    if (!cloud.sights.empty()) {
+        sights = numbers(std::vector<float>(cloud.sights.begin(), cloud.sights.end()), "translucency.sights");
+        depths = numbers(cloud.depths, "translucency.depths");
+    }
     list_begins = gpu::Buffer(std::span<const uint32_t>(cloud.list_begins), "translucency.list_begins");
     std::vector<glm::vec3> places;
     std::vector<glm::vec4> points_and_weights;
@@ -74,8 +76,8 @@ GpuCloud::GpuCloud(const PointCloud& cloud, const glm::vec3& the_shape)
 }
 
 size_t GpuCloud::bytes() const {
-    return bytes_of(lists) + bytes_of(sights) + bytes_of(pieces) + bytes_of(blends) + list_begins.size() +
-           positions.size() + indices.size();
+    return bytes_of(lists) + bytes_of(sights) + bytes_of(depths) + bytes_of(pieces) + bytes_of(blends) +
+           list_begins.size() + positions.size() + indices.size();
 }
 
 GpuObject::GpuObject(const GpuCloud& cloud, bool directional)

@@ -21,7 +21,7 @@ struct GpuCloud {
     glm::vec3 shape{1.0f};
     uint32_t vertices = 0;
     int index_count = 0;
-    gpu::Texture lists, pieces, blends, sights;  ///< shaders/points; no sights where no point sees another
+    gpu::Texture lists, pieces, blends, sights, depths;  ///< shaders/points; no sights where no point sees another
     gpu::Buffer list_begins, positions, indices;
     [[nodiscard]] size_t bytes() const;
     [[nodiscard]] uint32_t first(int level) const { return 2 * points - (2 * points >> uint32_t(level)); }

@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "geometry/ray_mesh.h"
+#include "geometry/thickness.h"
 #include "points/point_cloud.h"
 #include "points/point_grid.h"
 
@@ -46,10 +47,13 @@ uint32_t nearest(const PointCloud& cloud, const PointGrid& grid, const glm::vec3
 void look_around(const Mesh& mesh, PointCloud& cloud) {
     const RayMesh triangles(mesh);
     const PointGrid grid(cloud, mesh.bounds);
+    const InwardRays inward(mesh, PointCloud::kSightRays);
     std::vector<std::vector<uint32_t>> seen(cloud.points.size());
+    cloud.depths.resize(cloud.points.size());
     parallel_for(0, seen.size(), 256, [&](size_t first, size_t last) {
         for (size_t i = first; i < last; ++i) {
             const SurfacePoint& point = cloud.points[i];
+            cloud.depths[i] = inward.thickness(point.position, point.normal, kGoldenAngle * float(i % 4096));
             const glm::vec3 from = point.position + kAbove * cloud.spacing * point.normal;
             for (int ray = 0; ray < PointCloud::kSightRays; ++ray) {
                 const glm::vec3 along = direction(point.normal, ray, i);

@@ -36,6 +36,7 @@ struct PointCloud {
     std::vector<uint32_t> list_begins;   ///< clusters + 1
     std::vector<uint32_t> sights;        ///< of all points one after the other: what their rays meet (look_around)
     std::vector<uint32_t> sight_begins;  ///< points + 1
+    std::vector<float> depths;           ///< of the body below each point, the mean over rays: InwardRays
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;
     float spacing = 0.0f;  ///< side of a square of a piece's area
@@ -53,7 +54,7 @@ struct PointCloud {
 [[nodiscard]] PointCloud make_point_cloud(const Mesh& mesh, int levels, float opening, bool interreflection);
 
 /// From each point of a cloud kSightRays rays, spread as the cosine to the normal is: fills its sights with the points
-/// of the mesh's own surface that they meet; what is missing of kSightRays sees what is around.
+/// of the mesh's own surface that they meet; what is missing of kSightRays sees what is around. And the depths.
 void look_around(const Mesh& mesh, PointCloud& cloud);
 
 /// Fills the vertices and indices of a cloud that has its points.

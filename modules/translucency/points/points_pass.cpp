@@ -72,6 +72,7 @@ void bind_points(const gpu::Program& program, const Surface& surface, const GpuC
     bind("pieces", cloud.pieces);
     bind("lists", cloud.lists);
     bind("sights", cloud.sights);
+    bind("depths", cloud.depths);
     bind("open_light", object.open_light);
     program.block("ListBegins", cloud.list_begins);
     object.interior.bind(program);

@@ -17,6 +17,7 @@ layout(std140) uniform Interior {
     vec4 sigma_a;
     vec4 published;
     vec4 slanted[kLeavingCosines];
+    vec4 plane_wide, plane_narrow;
     vec4 rough[kRoughCosines];
 } interior;
 
@@ -69,6 +70,20 @@ vec3 slanted_scale(float cosine) {
 }
 /// Metres along the surface that refracted light goes before it first collides, over the sine outside.
 float first_path() { return interior.boundary.y; }
+
+/// Of the kernel's integral over a plane the share that lies farther away than `r` metres.
+vec3 kernel_share_beyond(float r) {
+    float g = exp2(-1.44269504 * interior.kernel_rate.x * r * r), area = 1.0;  // over the widest Gaussian's
+    vec3 sum = vec3(0.0), all = vec3(0.0);
+    for (int k = kKernelGaussians - 1; k >= 0; --k) {
+        vec3 whole = area * interior.kernel[k].rgb;
+        all += whole;
+        sum += g * whole;
+        g *= g;
+        area *= 0.5;
+    }
+    return sum / max(all, vec3(1e-30));
+}
 
 /// Exitance per flux, 1/m2, at a squared distance (radial_kernel.h).
 vec3 kernel_at(float r2) {

@@ -1,17 +1,24 @@
 // What each point receives of all that is no light: what is around, where the body does not hide it, and light that leaves
 // other points and meets the body again, once more in every round. That is taken to leave where it entered, as a half-space
-// gives it back: what is seen is a mean over much of the surface.
+// gives it back, less what passes through the body there and leaves on its other side (as the technique thickness has it).
 #define NODES_READ
 #include "translucency/points/cloud.glsl"
 
 uniform sampler2D open_light;
 layout(rgba32f) uniform image2D point_light;  // two texels a point, for rounds in turn: irradiance, lux
+uniform sampler2D depths;  // of the body below each point, in the mesh's own space
 uniform uint round;
 
-/// Of the lights' light.
-vec3 exitance_of(uint point) {
-    vec3 flux = texelFetch(node_fluxes, node_texel(point), 0).rgb;
-    return flux / (max(scale_at(point), vec3(1e-6)) * max(piece_at(point).area, 1e-20));
+/// Of a point's light what leaves it outside again, a unit of area.
+vec3 exitance_of(uint point, vec3 returns, vec3 back, uint before) {
+    float area = max(piece_at(point).area, 1e-20);
+    float metres = sqrt(area / texelFetch(pieces, node_texel(2u * point), 0).w);
+    float depth = metres * texelFetch(depths, ivec2(point % 1024u, point / 1024u), 0).r;
+    vec3 stays = 1.0 / (1.0 + kernel_share_beyond(depth));
+    vec3 direct = texelFetch(node_fluxes, node_texel(point), 0).rgb / (max(scale_at(point), vec3(1e-6)) * area);
+    vec3 seen = imageLoad(point_light, node_texel(2u * point + before)).rgb;
+    // the other side is taken to have what is around
+    return returns * stays * direct + back * mix(texelFetch(open_light, node_texel(point), 0).rgb, seen, stays);
 }
 
 void main() {
@@ -25,7 +32,7 @@ void main() {
     if (i < last) {
         do {
             uint other = uint(texelFetch(sights, ivec2(i % 1024u, i / 1024u), 0).r);
-            sum += returns * exitance_of(other) + back * imageLoad(point_light, node_texel(2u * other + before)).rgb;
+            sum += exitance_of(other, returns, back, before);
         } while (++i < last);
     }
     float open = 1.0 - float(last - first) / float(kSightRays);

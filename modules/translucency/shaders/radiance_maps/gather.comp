@@ -37,21 +37,6 @@ struct Spread {
 /// Rates of the eight over that of the widest.
 const vec4 kWide = vec4(1.0, 4.0, 16.0, 64.0), kNarrow = 256.0 * kWide;
 
-#define PAIR(k) dot((interior.kernel[k].rgb + 0.5 * interior.kernel[k - 1].rgb) * inverse, vec3(1.0 / 3.0))
-
-/// Shares of the channels' mean of the Gaussians in the kernel's integral over a plane.
-void plane_shares(out vec4 wide, out vec4 narrow) {
-    vec3 all = vec3(0.0);
-    float area = 1.0;  // over the widest's
-    for (int k = kKernelGaussians - 1; k >= 0; --k) {
-        all += area * interior.kernel[k].rgb;
-        area *= 0.5;
-    }
-    vec3 inverse = 1.0 / max(all, vec3(1e-30));
-    wide = vec4(PAIR(15), PAIR(13), PAIR(11), PAIR(9)) / kWide;
-    narrow = vec4(PAIR(7), PAIR(5), PAIR(3), PAIR(1)) / kNarrow;
-}
-
 /// Adds to the shares those of the kernel as it is `below2` squared metres away, `share` in all.
 void add_below(inout Spread spread, vec4 wide, vec4 narrow, float below2, float share) {
     vec4 rates = -1.44269504 * interior.kernel_rate.x * below2 * kWide;
@@ -121,11 +106,11 @@ Exitances kernel_of_four(vec4 r2) {
 }
 
 #ifdef DIRECTIONAL
+Diffusion diffusion;  // set once, at the beginning
 vec3 directional(vec3 kernel, vec3 apart, float r2, float entry_normal, float direction, vec3 normal) {
     // places that touch are no points to one another
     float far = smoothstep(2.0 * piece_radius, 4.0 * piece_radius, sqrt(r2));
-    Diffusion m = make_diffusion(interior.sigma_s_reduced.rgb, interior.sigma_a.rgb, 0.0, interior_eta());
-    return mix(kernel, interior.published.rgb * directional_dipole(m, apart, unpacked_normal(direction),
+    return mix(kernel, interior.published.rgb * directional_dipole(diffusion, apart, unpacked_normal(direction),
                                                                    unpacked_normal(entry_normal - 1.0), normal), far);
 }
 #endif
@@ -221,16 +206,17 @@ void main() {
     vec3 normal = unpacked_normal(seen.w - 1.0);
     int count = 4 * max(1, samples / (4 * max(layer_count, 1)));
     uint frame = state.gathered_frames - 1u;
+#ifdef DIRECTIONAL
+    diffusion = make_diffusion(interior.sigma_s_reduced.rgb, interior.sigma_a.rgb, 0.0, interior_eta());
+#endif
     // another corner of the mask for each view
     ivec2 shift = ivec2(texel.z * 23, texel.z * 41);
     vec2 rotation = vec2(texelFetch(blue_noise, (texel.xy + shift) & 63, 0).x,
                          texelFetch(blue_noise, (texel.xy + shift + ivec2(29, 37)) & 63, 0).x);
-    vec4 wide, narrow;
-    plane_shares(wide, narrow);
     vec4 sum = vec4(0.0);
     float even = 0.0;
     for (int layer = 0; layer < layer_count; ++layer)
-        sum += gathered(layer, seen.xyz, normal, rotation, frame * uint(count), count, wide, narrow, even);
+        sum += gathered(layer, seen.xyz, normal, rotation, frame * uint(count), count, interior.plane_wide, interior.plane_narrow, even);
     float unscaled = luminance_rec709(sum.rgb);
     sum.rgb *= texelFetch(scales, texel, 0).rgb;
     float scale = luminance_rec709(sum.rgb) / max(unscaled, 1e-30);
