@@ -69,6 +69,7 @@ void bind_points(const gpu::Program& program, const Surface& surface, const GpuC
     bind("node_directions", object.node_directions);
     bind("point_scales", object.point_scales);
     bind("point_light", object.point_light);
+    bind("emitted", object.point_light);
     bind("pieces", cloud.pieces);
     bind("lists", cloud.lists);
     bind("sights", cloud.sights);
@@ -197,17 +198,15 @@ void PointsPass::light(PassContext& context, const Surface& surface, const GpuCl
         dispatch(cloud.points);
     }
     const bool sees = cloud.sights.name() != 0;
-    const uint32_t rounds = sees ? kSightRounds : 0;
-    for (uint32_t round = 0; round < rounds; ++round) {
-        const gpu::Program& see = compute(context, "see");
-        bind_points(see, surface, cloud, object);
-        see.set("round", round);
-        dispatch(cloud.points);
-    }
+    for (uint32_t round = 0; sees && round < kSightRounds; ++round)
+        for (const char* half : {"emit", "see"}) {
+            const gpu::Program& program = compute(context, half);
+            bind_points(program, surface, cloud, object);
+            dispatch(cloud.points);
+        }
     if (!sees && !has_light_all_around(frame.scene)) return;
     const gpu::Program& around = compute(context, "around", defines);
     bind_points(around, surface, cloud, object);
-    around.set("round", rounds);
     dispatch(cloud.points);
 }
 

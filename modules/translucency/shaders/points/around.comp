@@ -3,13 +3,12 @@
 
 layout(rgba32f) readonly uniform image2D point_light;
 layout(rgba32f) uniform image2D open_light;  // afterwards: of the point's own flux what pixels do not know of, lm
-uniform uint round;
 
 void main() {
     uint point = gl_GlobalInvocationID.x;
     if (point >= point_count) return;
     Piece piece = piece_at(point);
-    vec3 irradiance = imageLoad(point_light, node_texel(2u * point + (round & 1u))).rgb;
+    vec3 irradiance = imageLoad(point_light, node_texel(2u * point + 1u)).rgb;
     vec3 unknown = irradiance - imageLoad(open_light, node_texel(point)).rgb;
     vec3 leaves = scale_at(point) * mean_leaving() * enters_to_wander(piece.place) * (mean_entering() * piece.area);
     imageStore(open_light, node_texel(point), vec4(unknown * leaves, 0.0));
