@@ -139,6 +139,23 @@ TEST(PointCloud, VerticesBlendPointsNearBy) {
     }
 }
 
+TEST(PointCloud, AConvexBodySeesNothingOfItselfAndACaveNothingElse) {
+    Mesh mesh = make_primitive(Primitive::sphere, 64);
+    EXPECT_TRUE(make_point_cloud(mesh, 10, 0.5f, true).sights.empty());
+    EXPECT_TRUE(make_point_cloud(mesh, 10, 0.5f, false).sight_begins.empty());
+    for (size_t i = 0; i < mesh.indices.size(); i += 3) std::swap(mesh.indices[i], mesh.indices[i + 1]);
+    for (glm::vec3& normal : mesh.normals) normal = -normal;
+    const PointCloud cave = make_point_cloud(mesh, 10, 0.5f, true);
+    ASSERT_EQ(cave.sight_begins.size(), cave.points.size() / PointCloud::kSightGroup + 1);
+    // each group sees all others alike, but for a few rays that meet the group itself
+    const double rays = double(cave.points.size()) * PointCloud::kSightRays;
+    EXPECT_GT(double(cave.sights.size()), 0.97 * rays);
+    std::vector<double> met(cave.sight_begins.size() - 1);
+    for (const uint32_t group : cave.sights) ++met[group];
+    const double even = rays / double(met.size());
+    for (const double count : met) EXPECT_NEAR(count, even, 0.45 * even);
+}
+
 TEST(PointDetail, FarThingsHaveFewerPoints) {
     FrameBlock frame{};
     frame.eye_near = {0.0f, 0.0f, 0.0f, 0.1f};

@@ -22,6 +22,8 @@ constexpr float kLongestEdge = 1.5f;
 /// How far apart opposite normals count, in spacings.
 constexpr float kNormalWeight = 2.0f;
 
+}  // namespace
+
 /// The nearest points and one more, whose distance is where weights have fallen to nothing (Franke & Little's variant
 /// of Shepard's weights: a point that comes or goes does so with weight 0).
 PointCloud::Vertex blended(const PointCloud& cloud, const PointGrid& grid, const glm::vec3& at,
@@ -60,8 +62,6 @@ PointCloud::Vertex blended(const PointCloud& cloud, const PointGrid& grid, const
     }
     return vertex;
 }
-
-}  // namespace
 
 void blend_points(const Mesh& mesh, PointCloud& cloud) {
     Mesh drawn = cut_mesh(mesh, kLongestEdge * cloud.spacing);

@@ -23,14 +23,23 @@ gpu::Texture table(std::vector<glm::vec4> values, std::string_view name) {
     return made;
 }
 /// A texture of kListColumns columns; a float has 24 bits of a number exactly.
-gpu::Texture numbers(std::vector<float> values, std::string_view name) {
+gpu::Texture numbers(std::span<const uint32_t> list, std::string_view name) {
     const gpu::TextureDesc desc{.format = gpu::Format::r32f,
                                 .width = kListColumns,
-                                .height = (int(values.size()) + kListColumns - 1) / kListColumns};
+                                .height = (int(list.size()) + kListColumns - 1) / kListColumns};
+    std::vector<float> values(list.begin(), list.end());
     values.resize(size_t(desc.width) * size_t(desc.height), 0.0f);
     gpu::Texture made(desc, name);
     made.upload(0, 0, values.data());
     return made;
+}
+/// Numbers and weights of what is blended: 24 bits, which a float has exactly.
+std::vector<glm::vec4> packed(const std::vector<PointCloud::Vertex>& blends) {
+    std::vector<glm::vec4> both(blends.size());
+    for (size_t i = 0; i < blends.size(); ++i)
+        for (uint32_t k = 0; k < PointCloud::kNeighbours; ++k)
+            both[i][int(k)] = float(blends[i].points[k] * 256u + blends[i].weights[k]);
+    return both;
 }
 size_t bytes_of(const gpu::Texture& texture) {
     return gpu::bytes_per_texel(texture.desc().format) * size_t(texture.desc().width) * size_t(texture.desc().height);
@@ -49,35 +58,34 @@ GpuCloud::GpuCloud(const PointCloud& cloud, const glm::vec3& the_shape)
       index_count(int(cloud.indices.size())) {
     if (cloud.points.empty()) return;
     std::vector<glm::vec4> surface;
-    for (size_t i = 0; i < cloud.points.size(); ++i) {
-        surface.emplace_back(cloud.points[i].position, cloud.points[i].area);
-        surface.emplace_back(cloud.points[i].normal, cloud.sights.empty() ? 0.0f : float(cloud.sight_begins[i]));
+    for (const SurfacePoint& point : cloud.points) {
+        surface.emplace_back(point.position, point.area);
+        surface.emplace_back(point.normal, 0.0f);
     }
-    surface.emplace_back(0.0f);
-    surface.emplace_back(glm::vec3(0.0f), float(cloud.sights.size()));
     pieces = table(std::move(surface), "translucency.pieces");
-    lists = numbers(std::vector<float>(cloud.lists.begin(), cloud.lists.end()), "translucency.lists");
-    if (!cloud.sights.empty()) {
-        sights = numbers(std::vector<float>(cloud.sights.begin(), cloud.sights.end()), "translucency.sights");
-        depths = numbers(cloud.depths, "translucency.depths");
-    }
+    lists = numbers(cloud.lists, "translucency.lists");
+    if (!cloud.sights.empty()) add_sights(cloud);
     list_begins = gpu::Buffer(std::span<const uint32_t>(cloud.list_begins), "translucency.list_begins");
     std::vector<glm::vec3> places;
-    std::vector<glm::vec4> points_and_weights;
-    for (const PointCloud::Vertex& vertex : cloud.vertices) {
-        places.push_back(vertex.position);
-        glm::vec4& both = points_and_weights.emplace_back();
-        for (uint32_t k = 0; k < PointCloud::kNeighbours; ++k)  // 24 bits: a float has them exactly
-            both[int(k)] = float(vertex.points[k] * 256u + vertex.weights[k]);
-    }
+    for (const PointCloud::Vertex& vertex : cloud.vertices) places.push_back(vertex.position);
     positions = gpu::Buffer(std::span<const glm::vec3>(places), "translucency.positions");
-    blends = table(std::move(points_and_weights), "translucency.blends");
+    blends = table(packed(cloud.vertices), "translucency.blends");
     indices = gpu::Buffer(std::span<const uint32_t>(cloud.indices), "translucency.indices");
 }
 
+void GpuCloud::add_sights(const PointCloud& cloud) {
+    sights = numbers(cloud.sights, "translucency.sights");
+    std::vector<glm::vec4> begins;
+    for (size_t group = 0; group < cloud.depths.size(); ++group)
+        begins.emplace_back(float(cloud.sight_begins[group]), float(cloud.sight_begins[group + 1]), cloud.depths[group],
+                            0.0f);
+    groups = table(std::move(begins), "translucency.groups");
+    group_blends = table(packed(cloud.group_blends), "translucency.group_blends");
+}
+
 size_t GpuCloud::bytes() const {
-    return bytes_of(lists) + bytes_of(sights) + bytes_of(depths) + bytes_of(pieces) + bytes_of(blends) +
-           list_begins.size() + positions.size() + indices.size();
+    return bytes_of(lists) + bytes_of(sights) + bytes_of(groups) + bytes_of(group_blends) + bytes_of(pieces) +
+           bytes_of(blends) + list_begins.size() + positions.size() + indices.size();
 }
 
 GpuObject::GpuObject(const GpuCloud& cloud, bool directional)
@@ -87,7 +95,8 @@ GpuObject::GpuObject(const GpuCloud& cloud, bool directional)
       point_scales(table_desc(cloud.points), "translucency.point_scales"),
       point_light(table_desc(2 * size_t(cloud.points)), "translucency.point_light"),
       vertex_light(table_desc(2 * size_t(cloud.vertices)), "translucency.vertex_light"),
-      open_light(table_desc(cloud.points), "translucency.open_light") {
+      open_light(table_desc(cloud.points), "translucency.open_light"),
+      group_light(table_desc(2 * size_t(cloud.points / PointCloud::kSightGroup)), "translucency.group_light") {
     open_light.clear(0, glm::vec4(0.0f));
     node_fluxes.clear(0, glm::vec4(0.0f));
 }

@@ -21,10 +21,14 @@ struct GpuCloud {
     glm::vec3 shape{1.0f};
     uint32_t vertices = 0;
     int index_count = 0;
-    gpu::Texture lists, pieces, blends, sights, depths;  ///< shaders/points; no sights where no point sees another
+    gpu::Texture lists, pieces, blends;         ///< shaders/points
+    gpu::Texture sights, groups, group_blends;  ///< likewise; none where no point sees another
     gpu::Buffer list_begins, positions, indices;
     [[nodiscard]] size_t bytes() const;
     [[nodiscard]] uint32_t first(int level) const { return 2 * points - (2 * points >> uint32_t(level)); }
+
+ private:
+    void add_sights(const PointCloud& cloud);
 };
 
 /// What each object has of its own.
@@ -32,8 +36,8 @@ struct GpuObject {
     /// `directional`: has room for the directions of light.
     GpuObject(const GpuCloud& cloud, bool directional);
 
-    gpu::Texture node_places, node_fluxes, node_directions, point_scales, point_light, vertex_light,
-        open_light;  ///< shaders/points
+    gpu::Texture node_places, node_fluxes, node_directions, point_scales, point_light, vertex_light, open_light,
+        group_light;  ///< shaders/points
     InteriorBuffers interior;
 };
 

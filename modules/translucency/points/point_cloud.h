@@ -21,7 +21,8 @@ namespace tyndall::translucency {
 struct PointCloud {
     static constexpr uint32_t kCluster = 64;
     static constexpr uint32_t kNeighbours = 4;
-    static constexpr int kSightRays = 16;
+    static constexpr int kSightRays = 16;       ///< of a point
+    static constexpr uint32_t kSightGroup = 8;  ///< points that see together
 
     /// A vertex of the mesh that is drawn: the mesh's own, cut where its triangles are large for the points.
     struct Vertex {
@@ -32,11 +33,12 @@ struct PointCloud {
 
     int levels = 0;
     std::vector<SurfacePoint> points;
-    std::vector<uint32_t> lists;         ///< nodes' numbers of all clusters, one after the other, groups before points
-    std::vector<uint32_t> list_begins;   ///< clusters + 1
-    std::vector<uint32_t> sights;        ///< of all points one after the other: what their rays meet (look_around)
-    std::vector<uint32_t> sight_begins;  ///< points + 1
-    std::vector<float> depths;           ///< of the body below each point, the mean over rays: InwardRays
+    std::vector<uint32_t> lists;        ///< nodes' numbers of all clusters, one after the other, groups before points
+    std::vector<uint32_t> list_begins;  ///< clusters + 1
+    std::vector<uint32_t> sights;  ///< of all groups one after the other: groups that their rays meet (look_around)
+    std::vector<uint32_t> sight_begins;  ///< groups + 1
+    std::vector<float> depths;           ///< of the body below each group, the mean over rays: InwardRays
+    std::vector<Vertex> group_blends;    ///< groups that stand for each point
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;
     float spacing = 0.0f;  ///< side of a square of a piece's area
@@ -53,8 +55,9 @@ struct PointCloud {
 /// Without `interreflection` the points have no sights.
 [[nodiscard]] PointCloud make_point_cloud(const Mesh& mesh, int levels, float opening, bool interreflection);
 
-/// From each point of a cloud kSightRays rays, spread as the cosine to the normal is: fills its sights with the points
-/// of the mesh's own surface that they meet; what is missing of kSightRays sees what is around. And the depths.
+/// From each point of a cloud kSightRays rays, spread as the cosine to the normal is: fills its sights with the groups
+/// of kSightGroup points on the mesh's own surface that they meet, group by group; rays that are missing see what is
+/// around. And the depths and the groups' blends.
 void look_around(const Mesh& mesh, PointCloud& cloud);
 
 /// Fills the vertices and indices of a cloud that has its points.

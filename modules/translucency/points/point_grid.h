@@ -56,4 +56,8 @@ class PointGrid {
     std::vector<uint32_t> begins_, order_;
 };
 
+/// The points that together stand for a place of the surface, by how near they are and how alike their normals.
+[[nodiscard]] PointCloud::Vertex blended(const PointCloud& cloud, const PointGrid& grid, const glm::vec3& at,
+                                         const glm::vec3& normal);
+
 }  // namespace tyndall::translucency

@@ -69,11 +69,12 @@ void bind_points(const gpu::Program& program, const Surface& surface, const GpuC
     bind("node_directions", object.node_directions);
     bind("point_scales", object.point_scales);
     bind("point_light", object.point_light);
-    bind("emitted", object.point_light);
     bind("pieces", cloud.pieces);
     bind("lists", cloud.lists);
     bind("sights", cloud.sights);
-    bind("depths", cloud.depths);
+    bind("groups", cloud.groups);
+    bind("group_blends", cloud.group_blends);
+    bind("group_light", object.group_light);
     bind("open_light", object.open_light);
     program.block("ListBegins", cloud.list_begins);
     object.interior.bind(program);
@@ -202,11 +203,12 @@ void PointsPass::light(PassContext& context, const Surface& surface, const GpuCl
         for (const char* half : {"emit", "see"}) {
             const gpu::Program& program = compute(context, half);
             bind_points(program, surface, cloud, object);
-            dispatch(cloud.points);
+            dispatch(cloud.points / PointCloud::kSightGroup);
         }
     if (!sees && !has_light_all_around(frame.scene)) return;
     const gpu::Program& around = compute(context, "around", defines);
     bind_points(around, surface, cloud, object);
+    around.set("sees", sees ? 1 : 0);
     dispatch(cloud.points);
 }
 

@@ -29,7 +29,7 @@ uniform sampler2D node_directions;
 const uint kNodeColumns = 256u;
 ivec2 node_texel(uint node) { return ivec2(node % kNodeColumns, node / kNodeColumns); }
 
-uniform sampler2D pieces;  // two texels a point: place, area; normal, number of its first sight. Of the mesh's own space
+uniform sampler2D pieces;  // two texels a point: place, area; normal. Of the mesh's own space
 #ifdef SCALES_WRITTEN
 layout(rgba32f) uniform image2D point_scales;  // rgb what the kernel is multiplied by at both ends (balance.comp)
 vec3 scale_at(uint point) { return imageLoad(point_scales, node_texel(point)).rgb; }
@@ -40,11 +40,6 @@ vec3 scale_at(uint point) { return texelFetch(point_scales, node_texel(point), 0
 uniform uint point_count;
 uniform mat4 world_from_local;
 uniform mat3 areas_from_local;  // cofactors: they turn an area's vector as the matrix turns its sides
-
-// Of all points one after the other: those of the same body that kSightRays rays from a point meet (point_cloud.h).
-uniform sampler2D sights;
-const int kSightRays = 16;
-uint sights_begin(uint point) { return uint(texelFetch(pieces, node_texel(2u * point + 1u), 0).w); }
 
 /// The piece of surface that a point stands for, in the world.
 struct Piece {
