@@ -3,9 +3,28 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace tyndall {
+
+std::vector<glm::vec3> cosine_directions(int count) {
+    std::vector<glm::vec3> directions;
+    for (int i = 0; i < count; ++i) {
+        const float share = (float(i) + 0.5f) / float(count), radius = std::sqrt(share);
+        const float angle = float(i) * std::numbers::pi_v<float> * (3.0f - std::sqrt(5.0f));
+        directions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0f - share));
+    }
+    return directions;
+}
+
+glm::mat3 frame_about(const glm::vec3& normal, float turn) {
+    const glm::vec3 x =
+        glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0)));
+    const glm::vec3 turned = std::cos(turn) * x + std::sin(turn) * glm::cross(normal, x);
+    return {turned, glm::cross(normal, turned), normal};
+}
 
 struct RayMesh::Scene {
     std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device{rtcNewDevice(nullptr), &rtcReleaseDevice};

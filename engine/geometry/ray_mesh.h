@@ -1,14 +1,21 @@
 #pragma once
 /// A mesh's triangles for ray casts.
 
-#include <cstdint>
+#include <glm/mat3x3.hpp>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "geometry/mesh.h"
 
 namespace tyndall {
+
+/// `count` unit vectors spread as the cosine to +Z is, evenly by a golden spiral.
+[[nodiscard]] std::vector<glm::vec3> cosine_directions(int count);
+
+/// Turns +Z to the unit vector `normal`, and all about it by `turn` radians.
+[[nodiscard]] glm::mat3 frame_about(const glm::vec3& normal, float turn);
 
 /// Any thread may cast rays. Lengths are of the mesh's own space.
 class RayMesh {

@@ -16,39 +16,20 @@ namespace {
 constexpr float kBelow = 1e-4f;
 constexpr float kGoldenAngle = std::numbers::pi_v<float> * 0.76393202f;  // (3 - sqrt 5)
 
-/// Spread as the cosine to +Z is, evenly by a golden spiral.
-std::vector<glm::vec3> spread_directions(int count) {
-    std::vector<glm::vec3> directions;
-    for (int i = 0; i < count; ++i) {
-        const float share = (float(i) + 0.5f) / float(count), radius = std::sqrt(share);
-        const float angle = float(i) * std::numbers::pi_v<float> * (3.0f - std::sqrt(5.0f));
-        directions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0f - share));
-    }
-    return directions;
-}
-
 }  // namespace
 
 InwardRays::InwardRays(const Mesh& mesh, int count)
     : triangles_(mesh),
-      directions_(spread_directions(count)),
+      directions_(cosine_directions(count)),
       body_size_(glm::distance(mesh.bounds.low, mesh.bounds.high)) {}
 
 float InwardRays::thickness(const glm::vec3& position, const glm::vec3& normal, float turn) const {
-    const glm::vec3 inward = -normal;
-    glm::vec3 x =
-        glm::normalize(glm::cross(inward, std::abs(inward.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0)));
-    glm::vec3 y = glm::cross(inward, x);
-    if (turn != 0.0f) {
-        const glm::vec3 turned = std::cos(turn) * x + std::sin(turn) * y;
-        y = glm::cross(inward, turned);
-        x = turned;
-    }
+    const glm::mat3 inward = frame_about(-normal, turn);
     const float below = kBelow * body_size_;
-    const glm::vec3 from = position + below * inward;
+    const glm::vec3 from = position - below * normal;
     float sum = 0.0f;
     for (const glm::vec3& d : directions_) {
-        const auto hit = triangles_.cast(from, d.x * x + d.y * y + d.z * inward, body_size_);
+        const auto hit = triangles_.cast(from, inward * d, body_size_);
         sum += d.z * (hit ? hit->distance : body_size_);
     }
     return below + sum / float(directions_.size());

@@ -20,15 +20,6 @@ constexpr float kGoldenAngle = std::numbers::pi_v<float> * 0.76393202f;  // (3 -
 constexpr float kAbove = 0.02f;
 constexpr uint32_t kNothing = std::numeric_limits<uint32_t>::max();
 
-/// Spread as the cosine to the normal is; each point turns the pattern by another angle.
-glm::vec3 direction(const glm::vec3& normal, int ray, size_t point) {
-    const glm::vec3 x =
-        glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0)));
-    const float share = (float(ray) + 0.5f) / float(PointCloud::kSightRays), radius = std::sqrt(share);
-    const float angle = kGoldenAngle * float(ray + int(point % 4096));
-    return radius * (std::cos(angle) * x + std::sin(angle) * glm::cross(normal, x)) + std::sqrt(1.0f - share) * normal;
-}
-
 /// Of the points that face the ray.
 uint32_t nearest(const PointCloud& cloud, const PointGrid& grid, const glm::vec3& at, const glm::vec3& along) {
     uint32_t found = kNothing;
@@ -63,7 +54,7 @@ PointCloud grouped(const PointCloud& cloud) {
     return groups;
 }
 
-/// Casts rays; has a cloud for as long as it is used.
+/// Casts rays, each point in a pattern that is turned by another angle; has a cloud for as long as it is used.
 struct Eyes {
     Eyes(const Mesh& mesh, const PointCloud& the_cloud)
         : cloud(the_cloud), triangles(mesh), inward(mesh, PointCloud::kSightRays), grid(the_cloud, mesh.bounds) {}
@@ -72,8 +63,10 @@ struct Eyes {
     float look(size_t i, std::vector<uint32_t>& met) const {
         const SurfacePoint& point = cloud.points[i];
         const glm::vec3 from = point.position + kAbove * cloud.spacing * point.normal;
-        for (int ray = 0; ray < PointCloud::kSightRays; ++ray) {
-            const glm::vec3 along = direction(point.normal, ray, i);
+        const float turn = kGoldenAngle * float(i % 4096);
+        const glm::mat3 frame = frame_about(point.normal, turn);
+        for (const glm::vec3& direction : directions) {
+            const glm::vec3 along = frame * direction;
             const auto hit = triangles.cast(from, along);
             // a ray that begins below a triangle, as beside a crease, has met nothing
             if (!hit || !hit->front) continue;
@@ -81,13 +74,14 @@ struct Eyes {
             if (other != kNothing && other / PointCloud::kSightGroup != i / PointCloud::kSightGroup)
                 met.push_back(other / PointCloud::kSightGroup);
         }
-        return inward.thickness(point.position, point.normal, kGoldenAngle * float(i % 4096));
+        return inward.thickness(point.position, point.normal, turn);
     }
 
     const PointCloud& cloud;
     RayMesh triangles;
     InwardRays inward;
     PointGrid grid;
+    std::vector<glm::vec3> directions = cosine_directions(PointCloud::kSightRays);
 };
 
 }  // namespace
