@@ -4,6 +4,7 @@
 #include "render/frame_graph.h"
 #include "render/pixel_rectangle.h"
 #include "render/seams.h"
+#include "scene/render_scene.h"
 #include "translucency_settings.h"
 
 namespace tyndall::translucency {
