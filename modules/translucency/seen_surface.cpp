@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/frame.h"
+#include "render/light_state.h"
 #include "render/seams.h"
 
 namespace tyndall::translucency {
@@ -20,6 +21,10 @@ std::vector<SeenSurface> seen_surfaces(TechniquePlan& plan, Technique technique,
         seen.push_back({&surface, float(index + 1), pixels});
     }
     return seen;
+}
+
+bool has_indirect_light(const Frame& frame) {
+    return has_light_all_around(frame.scene) || frame.seams.providers(Seam::indirect_light).size() > 1;
 }
 
 void declare_pixels(PassDeclaration& declaration) {

@@ -22,6 +22,10 @@ struct SeenSurface {
 /// Surfaces with a size that may be in the picture, of a technique.
 [[nodiscard]] std::vector<SeenSurface> seen_surfaces(TechniquePlan& plan, Technique technique, PassContext& context);
 
+/// Whether any light comes from elsewhere than from lights: probes, the sky, or what other modules provide, such as the
+/// glow of a flame.
+[[nodiscard]] bool has_indirect_light(const Frame& frame);
+
 /// In Pass::declare.
 void declare_pixels(PassDeclaration& declaration);
 /// After program.use(): what shaders/lit_pixel.glsl reads of pixels of any surface.

@@ -5,7 +5,6 @@
 #include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/gpu_scene.h"
-#include "render/light_state.h"
 #include "render/material_table.h"
 #include "seen_surface.h"
 
@@ -55,7 +54,7 @@ void LeavesPass::execute(PassContext& context) {
     const PixelRectangle pixels = pixels_of_leaves(context);
     if (pixels.empty()) return;
     draw_shares(context);
-    if (has_light_all_around(context.frame().scene)) light_from_around(context, pixels);
+    if (has_indirect_light(context.frame())) light_from_around(context, pixels);
 }
 
 void LeavesPass::draw_shares(PassContext& context) {

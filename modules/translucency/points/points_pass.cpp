@@ -12,8 +12,8 @@
 #include "render/draw_state.h"
 #include "render/frame.h"
 #include "render/frustum.h"
-#include "render/light_state.h"
 #include "render/seams.h"
+#include "seen_surface.h"
 
 namespace tyndall::translucency {
 namespace {
@@ -205,7 +205,7 @@ void PointsPass::light(PassContext& context, const Surface& surface, const GpuCl
             bind_points(program, surface, cloud, object);
             dispatch(cloud.points / PointCloud::kSightGroup);
         }
-    if (!sees && !has_light_all_around(frame.scene)) return;
+    if (!sees && !has_indirect_light(frame)) return;
     const gpu::Program& around = compute(context, "around", defines);
     bind_points(around, surface, cloud, object);
     around.set("sees", sees ? 1 : 0);

@@ -4,7 +4,6 @@
 
 #include "core/log.h"
 #include "render/frame.h"
-#include "render/light_state.h"
 
 namespace tyndall::translucency {
 namespace {
@@ -58,7 +57,7 @@ void QuickPass::add(PassContext& context, const SeenSurface& seen, QuickKind kin
         log::info("translucency: {}: a mesh that is open or flat has no size for light to go around: it is not wrapped",
                   surface.material->name);
     if (kind == QuickKind::thickness && !shares_.draw(context, seen, kThrough, body.passing, body.farthest_m)) return;
-    if (has_light_all_around(context.frame().scene)) begin_pixels(context, seen, body.interior, false);
+    if (has_indirect_light(context.frame())) begin_pixels(context, seen, body.interior, false);
     table_->add(seen, body, kind, lobe_of(body, optics_of(*surface.interior)));
 }
 

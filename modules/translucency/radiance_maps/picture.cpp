@@ -8,9 +8,9 @@
 
 #include "radiance_maps/dispatch.h"
 #include "radiance_maps/radiance_maps_pass.h"
-#include "render/light_state.h"
 #include "render/pixel_rectangle.h"
 #include "render/seams.h"
+#include "seen_surface.h"
 
 namespace tyndall::translucency {
 
@@ -64,7 +64,7 @@ void RadianceMapsPass::light_around(PassContext& context, const Seen& seen) {
 void RadianceMapsPass::combine(PassContext& context, const Seen& seen) {
     Frame& frame = context.frame();
     const PixelRectangle pixels = pixels_of(seen.surface.bounds, frame.block.view_projection, context.size());
-    const bool around = has_light_all_around(frame.scene);
+    const bool around = has_indirect_light(frame);
     const gpu::Program& program =
         use_compute(context, "combine", around ? std::vector<std::string>{"AROUND"} : std::vector<std::string>{});
     seen.object.interior.bind(program);

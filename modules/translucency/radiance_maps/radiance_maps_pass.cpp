@@ -12,9 +12,9 @@
 #include "radiance_maps/balance.h"
 #include "radiance_maps/dispatch.h"
 #include "render/frame.h"
-#include "render/light_state.h"
 #include "render/pixel_rectangle.h"
 #include "render/seams.h"
+#include "seen_surface.h"
 
 namespace tyndall::translucency {
 namespace {
@@ -73,7 +73,7 @@ void RadianceMapsPass::execute(PassContext& context) {
     const RenderScene& scene = context.frame().scene;
     const auto surfaces = plan_->surfaces(scene, Technique::radiance_maps);
     if (settings_.enabled && !surfaces.empty()) {
-        if (has_light_all_around(scene)) forget_around(context);
+        if (has_indirect_light(context.frame())) forget_around(context);
         for (const size_t index : surfaces) render(context, scene.surfaces[index], float(index + 1));
     }
     objects_.end_frame();
@@ -96,7 +96,7 @@ void RadianceMapsPass::render(PassContext& context, const Surface& surface, floa
         filter(context, seen);
     }
     object.restart = false;
-    if (has_light_all_around(context.frame().scene)) light_around(context, seen);
+    if (has_indirect_light(context.frame())) light_around(context, seen);
     combine(context, seen);
 }
 

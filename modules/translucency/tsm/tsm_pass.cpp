@@ -79,7 +79,7 @@ void TsmPass::render(PassContext& context, const Drawn& drawn) {
         see(context, drawn, i);
         if (drawn.object.maps[i].view.whole) make_kernels(drawn, drawn.object.maps[i]);
     }
-    const bool begins = scene.lights.empty() || has_light_all_around(scene);
+    const bool begins = scene.lights.empty() || has_indirect_light(context.frame());
     if (begins) begin_pixels(context, drawn.seen, drawn.object.interior, true);
     gather_programs_.begin();
     for (size_t i = 0; i < scene.lights.size(); ++i) gather(context, drawn, i, begins || i > 0);
